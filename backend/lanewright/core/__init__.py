@@ -1,0 +1,1 @@
+"""The domain: elements, changes, rules. Imports no web, database or file code."""

@@ -1,0 +1,89 @@
+"""Edits of a map state: one value in four notations (undo entry, request body, fix of a violation, database rows).
+
+An edit has an inverse and composes; a list of edits is applied as a whole or not at all.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+from lanewright.core.attributes import element_attributes, parse_attributes, parse_element
+from lanewright.core.elements import Element, ElementKey, ElementKind, MapState
+from lanewright.core.errors import InvalidInput, Place
+
+
+class Operation(StrEnum):
+    INSERT = "insert"
+    UPDATE = "update"
+    DELETE = "delete"
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """One edit of one element.
+
+    ``attributes`` are AV2 attributes as in the file: all of them for an insert, the changed ones for an update,
+    none for a delete.
+    """
+
+    operation: Operation
+    kind: ElementKind
+    id: int
+    attributes: Mapping[str, Any] = dataclasses.field(default_factory=dict)
+
+    @property
+    def key(self) -> ElementKey:
+        return ElementKey(self.kind, self.id)
+
+
+def apply_edits(state: MapState, edits: Iterable[Edit]) -> MapState:
+    """The state after all edits, in order.
+
+    Raises:
+        InvalidInput: an edit names an element that is not there (or already is), or has unusable attributes.
+    """
+    elements: dict[ElementKey, Element] = {element.key: element for element in state}
+    for edit in edits:
+        try:
+            _apply_one(elements, edit)
+        except InvalidInput as error:
+            raise error.within(element=f"{edit.kind.value} {edit.id}") from None
+    return MapState.of(elements.values())
+
+
+def _apply_one(elements: dict[ElementKey, Element], edit: Edit) -> None:
+    known = elements.get(edit.key)
+    if edit.operation is Operation.INSERT:
+        if known is not None:
+            raise InvalidInput("is inserted but already there", "Use an update, or a new id.", Place(key="id"))
+        elements[edit.key] = parse_element(edit.kind, {"id": edit.id, **edit.attributes})
+        return
+    if known is None:
+        raise InvalidInput(
+            f"cannot be {edit.operation.value}d: it is not in the map", "Reload the task.", Place(key="id")
+        )
+    if edit.operation is Operation.DELETE:
+        del elements[edit.key]
+        return
+    if edit.attributes.get("id", edit.id) != edit.id:
+        raise InvalidInput("changes its id", "Delete it and insert another.", Place(key="id"))
+    elements[edit.key] = dataclasses.replace(known, **parse_attributes(edit.kind, edit.attributes))
+
+
+def edits_between(before: MapState, after: MapState) -> tuple[Edit, ...]:
+    """The smallest edits that turn ``before`` into ``after``: deletes, updates, inserts, each by kind and id."""
+    old = {element.key: element for element in before}
+    new = {element.key: element for element in after}
+    deletes = [Edit(Operation.DELETE, *key) for key in sorted(old.keys() - new.keys())]
+    inserts = [Edit(Operation.INSERT, *key, element_attributes(new[key])) for key in sorted(new.keys() - old.keys())]
+    updates = []
+    for key in sorted(old.keys() & new.keys()):
+        if old[key] is not new[key] and old[key] != new[key]:
+            was, now = element_attributes(old[key]), element_attributes(new[key])
+            changed = {name: value for name, value in now.items() if value != was[name]}
+            updates.append(Edit(Operation.UPDATE, *key, changed))
+    return (*deletes, *updates, *inserts)

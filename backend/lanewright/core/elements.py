@@ -1,0 +1,154 @@
+"""Map elements of one driving log, in the Argoverse 2 city frame (metres, x grid east, y grid north).
+
+Source: AV2 ``log_map_archive`` files; spec §1 (change-mapping), paper supplement A.3. All values are immutable
+and compare by value, so two map states can be compared element by element.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from types import MappingProxyType
+from typing import NamedTuple
+
+Point = tuple[float, float, float]
+"""x, y, z in metres, city frame."""
+Line = tuple[Point, ...]
+"""A polyline of at least two points; lane boundaries run in driving direction."""
+
+
+class ElementKind(StrEnum):
+    LANE_SEGMENT = "lane_segment"
+    PEDESTRIAN_CROSSING = "pedestrian_crossing"
+
+
+class LaneType(StrEnum):
+    VEHICLE = "VEHICLE"
+    BIKE = "BIKE"
+    BUS = "BUS"
+
+
+class Mark(StrEnum):
+    """The 15 legal lane mark types of AV2. In mixed marks the first word is the stripe nearer to the lane."""
+
+    DASH_SOLID_YELLOW = "DASH_SOLID_YELLOW"
+    DASH_SOLID_WHITE = "DASH_SOLID_WHITE"
+    DASHED_WHITE = "DASHED_WHITE"
+    DASHED_YELLOW = "DASHED_YELLOW"
+    DOUBLE_SOLID_YELLOW = "DOUBLE_SOLID_YELLOW"
+    DOUBLE_SOLID_WHITE = "DOUBLE_SOLID_WHITE"
+    DOUBLE_DASH_YELLOW = "DOUBLE_DASH_YELLOW"
+    DOUBLE_DASH_WHITE = "DOUBLE_DASH_WHITE"
+    SOLID_YELLOW = "SOLID_YELLOW"
+    SOLID_WHITE = "SOLID_WHITE"
+    SOLID_DASH_WHITE = "SOLID_DASH_WHITE"
+    SOLID_DASH_YELLOW = "SOLID_DASH_YELLOW"
+    SOLID_BLUE = "SOLID_BLUE"
+    NONE = "NONE"
+    UNKNOWN = "UNKNOWN"
+
+    @property
+    def pattern(self) -> str:
+        """Mark type without its colour, e.g. ``DOUBLE_SOLID``; ``NONE`` and ``UNKNOWN`` are their own."""
+        return self.value if self.colour == "NON_VISIBLE" else self.value.rpartition("_")[0]
+
+    @property
+    def colour(self) -> str:
+        """``WHITE``, ``YELLOW``, ``BLUE`` or ``NON_VISIBLE``."""
+        return "NON_VISIBLE" if self in (Mark.NONE, Mark.UNKNOWN) else self.value.rpartition("_")[2]
+
+    @property
+    def mirrored(self) -> Mark:
+        """The same paint read from the lane on its other side (mixed marks exchange their words)."""
+        if self.pattern == "DASH_SOLID":
+            return Mark(f"SOLID_DASH_{self.colour}")
+        if self.pattern == "SOLID_DASH":
+            return Mark(f"DASH_SOLID_{self.colour}")
+        return self
+
+
+class ElementKey(NamedTuple):
+    """Identity of an element in one map: ids are unique within a kind only."""
+
+    kind: ElementKind
+    id: int
+
+
+@dataclass(frozen=True, slots=True)
+class LaneSegment:
+    """A lane segment with the 11 properties of the AV2 file. Links may name ids outside the map (the rim)."""
+
+    id: int
+    is_intersection: bool
+    lane_type: LaneType
+    left_boundary: Line
+    left_mark: Mark
+    right_boundary: Line
+    right_mark: Mark
+    successors: tuple[int, ...] = ()
+    predecessors: tuple[int, ...] = ()
+    right_neighbor_id: int | None = None
+    left_neighbor_id: int | None = None
+
+    @property
+    def key(self) -> ElementKey:
+        return ElementKey(ElementKind.LANE_SEGMENT, self.id)
+
+
+@dataclass(frozen=True, slots=True)
+class PedestrianCrossing:
+    """A crossing: two edges of exactly two points, along the walking direction. Order and direction mean nothing."""
+
+    id: int
+    edge1: Line
+    edge2: Line
+
+    @property
+    def key(self) -> ElementKey:
+        return ElementKey(ElementKind.PEDESTRIAN_CROSSING, self.id)
+
+
+Element = LaneSegment | PedestrianCrossing
+
+
+@dataclass(frozen=True, slots=True)
+class MapState:
+    """All elements of one log at one moment. Drivable areas are carried by the file template, not here."""
+
+    lanes: Mapping[int, LaneSegment] = field(default_factory=dict)
+    crossings: Mapping[int, PedestrianCrossing] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, elements: Iterable[Element]) -> MapState:
+        """A state of the given elements; of two with the same key the later one stands."""
+        lanes: dict[int, LaneSegment] = {}
+        crossings: dict[int, PedestrianCrossing] = {}
+        for element in elements:
+            if isinstance(element, LaneSegment):
+                lanes[element.id] = element
+            else:
+                crossings[element.id] = element
+        return cls(MappingProxyType(lanes), MappingProxyType(crossings))
+
+    def get(self, key: ElementKey) -> Element | None:
+        """The element of that key, or None."""
+        if key.kind is ElementKind.LANE_SEGMENT:
+            return self.lanes.get(key.id)
+        return self.crossings.get(key.id)
+
+    def __contains__(self, key: ElementKey) -> bool:
+        return self.get(key) is not None
+
+    def __iter__(self) -> Iterator[Element]:
+        yield from self.lanes.values()
+        yield from self.crossings.values()
+
+    def __len__(self) -> int:
+        return len(self.lanes) + len(self.crossings)
+
+    def replaced(self, elements: Iterable[Element], removed: Iterable[ElementKey] = ()) -> MapState:
+        """A new state: ``removed`` taken out, then ``elements`` put in (replacing those of equal key)."""
+        gone = set(removed)
+        kept = (element for element in self if element.key not in gone)
+        return MapState.of([*kept, *elements])
