@@ -67,7 +67,7 @@ def parse_coordinate(value: Any, key: str) -> float:
     """A finite coordinate in metres within ±1,000 km. Raises InvalidInput."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise _bad(key, f"has the coordinate {value!r:.60}, not a number", "Write metres as a number.")
-    if not math.isfinite(value) or abs(value) > LARGEST_COORDINATE_M:
+    if not abs(value) <= LARGEST_COORDINATE_M:  # also false for NaN, and exact for whole numbers beyond all floats
         raise _bad(
             key,
             f"has the coordinate {str(value)[:40]}, outside ±{LARGEST_COORDINATE_M:.0f} m",
@@ -76,18 +76,21 @@ def parse_coordinate(value: Any, key: str) -> float:
     return float(value)
 
 
-def parse_line(value: Any, key: str, *, exactly: int | None = None) -> Line:
-    """A polyline from a list of ``{x, y, z}``: 2 to 10,000 points, or ``exactly`` so many. Raises InvalidInput."""
+def parse_line(value: Any, key: str, *, exactly: int | None = None, drawn: bool = False) -> Line:
+    """A polyline from a list of ``{x, y, z}``: 2 to 10,000 points, or ``exactly`` so many.
+
+    ``drawn``: z may be null, "not known yet", and becomes NaN (core.elevation fills it). Raises InvalidInput.
+    """
     if not isinstance(value, list | tuple):
         raise _bad(key, "is not a list of points", "Write a list of {x, y, z} objects.")
     if exactly is not None and len(value) != exactly:
         raise _bad(key, f"has {len(value)} points, not {exactly}", f"Give exactly {exactly} points.")
     if not 2 <= len(value) <= MOST_POINTS:
         raise _bad(key, f"has {len(value)} points", f"Give 2 to {MOST_POINTS} points.")
-    return tuple(_parse_point(point, f"{key}[{i}]") for i, point in enumerate(value))
+    return tuple(_parse_point(point, f"{key}[{i}]", drawn) for i, point in enumerate(value))
 
 
-def _parse_point(value: Any, key: str) -> Point:
+def _parse_point(value: Any, key: str, drawn: bool) -> Point:
     if not isinstance(value, Mapping):
         raise _bad(key, "is not a point", "Write an object with x, y and z in metres.")
     try:
@@ -99,7 +102,7 @@ def _parse_point(value: Any, key: str) -> Point:
     return (
         parse_coordinate(x, f"{key}.x"),
         parse_coordinate(y, f"{key}.y"),
-        parse_coordinate(z, f"{key}.z"),
+        math.nan if z is None and drawn else parse_coordinate(z, f"{key}.z"),
     )
 
 
@@ -137,31 +140,37 @@ _PARSERS: Mapping[str, Callable[[Any, str], Any]] = {
     "id": parse_id,
     "is_intersection": _parse_flag,
     "lane_type": _parse_lane_type,
-    "left_lane_boundary": parse_line,
     "left_lane_mark_type": _parse_mark,
-    "right_lane_boundary": parse_line,
     "right_lane_mark_type": _parse_mark,
     "successors": _parse_links,
     "predecessors": _parse_links,
     "right_neighbor_id": _parse_neighbor,
     "left_neighbor_id": _parse_neighbor,
-    "edge1": lambda value, key: parse_line(value, key, exactly=2),
-    "edge2": lambda value, key: parse_line(value, key, exactly=2),
 }
+_EXACT_POINTS: Mapping[str, int | None] = {
+    "left_lane_boundary": None,
+    "right_lane_boundary": None,
+    "edge1": 2,
+    "edge2": 2,
+}
+"""The geometry attributes, with the number of points they must have."""
 
 
-def parse_attributes(kind: ElementKind, attributes: Mapping[str, Any]) -> dict[str, Any]:
+def parse_attributes(kind: ElementKind, attributes: Mapping[str, Any], *, drawn: bool = False) -> dict[str, Any]:
     """AV2 attributes -> values by dataclass field. Raises InvalidInput naming the key; unknown keys are refused."""
     fields = FIELDS[kind]
     parsed: dict[str, Any] = {}
     for name, value in attributes.items():
         if name not in fields:
             raise _bad(name, f"is no attribute of a {kind.value}", f"Known are: {', '.join(fields)}.")
-        parsed[fields[name]] = _PARSERS[name](value, name)
+        if name in _EXACT_POINTS:
+            parsed[fields[name]] = parse_line(value, name, exactly=_EXACT_POINTS[name], drawn=drawn)
+        else:
+            parsed[fields[name]] = _PARSERS[name](value, name)
     return parsed
 
 
-def parse_element(kind: ElementKind, attributes: Mapping[str, Any]) -> Element:
+def parse_element(kind: ElementKind, attributes: Mapping[str, Any], *, drawn: bool = False) -> Element:
     """A whole element from its AV2 attributes; keys beyond AV2's own are ignored here (the file template keeps them).
 
     Raises:
@@ -171,7 +180,7 @@ def parse_element(kind: ElementKind, attributes: Mapping[str, Any]) -> Element:
     missing = [name for name in fields if name not in attributes]
     if missing:
         raise _bad(missing[0], "is missing", f"A {kind.value} needs {', '.join(fields)}.")
-    parsed = parse_attributes(kind, {name: attributes[name] for name in fields})
+    parsed = parse_attributes(kind, {name: attributes[name] for name in fields}, drawn=drawn)
     return LaneSegment(**parsed) if kind is ElementKind.LANE_SEGMENT else PedestrianCrossing(**parsed)
 
 

@@ -40,8 +40,8 @@ class Edit:
         return ElementKey(self.kind, self.id)
 
 
-def apply_edits(state: MapState, edits: Iterable[Edit]) -> MapState:
-    """The state after all edits, in order.
+def apply_edits(state: MapState, edits: Iterable[Edit], *, drawn: bool = False) -> MapState:
+    """The state after all edits, in order; ``drawn``: points whose z is null are taken, as NaN (core.elevation).
 
     Raises:
         InvalidInput: an edit names an element that is not there (or already is), or has unusable attributes.
@@ -49,18 +49,18 @@ def apply_edits(state: MapState, edits: Iterable[Edit]) -> MapState:
     elements: dict[ElementKey, Element] = {element.key: element for element in state}
     for edit in edits:
         try:
-            _apply_one(elements, edit)
+            _apply_one(elements, edit, drawn)
         except InvalidInput as error:
             raise error.within(element=f"{edit.kind.value} {edit.id}") from None
     return MapState.of(elements.values())
 
 
-def _apply_one(elements: dict[ElementKey, Element], edit: Edit) -> None:
+def _apply_one(elements: dict[ElementKey, Element], edit: Edit, drawn: bool) -> None:
     known = elements.get(edit.key)
     if edit.operation is Operation.INSERT:
         if known is not None:
             raise InvalidInput("is inserted but already there", "Use an update, or a new id.", Place(key="id"))
-        elements[edit.key] = parse_element(edit.kind, {"id": edit.id, **edit.attributes})
+        elements[edit.key] = parse_element(edit.kind, {**edit.attributes, "id": edit.id}, drawn=drawn)
         return
     if known is None:
         raise InvalidInput(
@@ -71,7 +71,7 @@ def _apply_one(elements: dict[ElementKey, Element], edit: Edit) -> None:
         return
     if edit.attributes.get("id", edit.id) != edit.id:
         raise InvalidInput("changes its id", "Delete it and insert another.", Place(key="id"))
-    elements[edit.key] = dataclasses.replace(known, **parse_attributes(edit.kind, edit.attributes))
+    elements[edit.key] = dataclasses.replace(known, **parse_attributes(edit.kind, edit.attributes, drawn=drawn))
 
 
 def edits_between(before: MapState, after: MapState) -> tuple[Edit, ...]:

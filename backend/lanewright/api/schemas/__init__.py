@@ -1,0 +1,1 @@
+"""Wire types of the REST API; the browser's TypeScript types are generated from them."""
