@@ -6,7 +6,6 @@ type Schemas = components["schemas"];
 export type Account = Schemas["AccountOut"];
 export type Change = Schemas["ChangeOut"];
 export type CityFrame = Schemas["CityFrame"];
-export type ConflictingElement = Schemas["ConflictingElement"];
 export type CrossingAttributes = Schemas["CrossingAttributes"];
 export type Draft = Schemas["DraftOut"];
 export type DraftKept = Schemas["DraftKept"];
@@ -43,3 +42,13 @@ export type Category = Schemas["Category"];
 export type Direction = Schemas["Direction"];
 export type Role = Schemas["Role"];
 export type TaskState = Schemas["TaskState"];
+
+/** An element of a stale save, as the facts of a `save.stale` problem hold it. */
+export type ConflictingElement = ElementKey & {
+  base: Attributes | null;
+  mine: Attributes | null;
+  theirs: Attributes | null;
+};
+
+/** AV2 attributes of a lane or crossing, by key. */
+export type Attributes = Record<string, unknown>;
