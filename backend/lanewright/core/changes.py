@@ -60,3 +60,10 @@ class MapDiff:
 
     changes: tuple[AtomicChange, ...] = ()
     updates: tuple[StructuralUpdate, ...] = ()
+
+
+class Direction(StrEnum):
+    """Which way a task runs (spec §3): whether its base map is the prior or the current one."""
+
+    PRIOR_TO_CURRENT = "prior_to_current"
+    CURRENT_TO_PRIOR = "current_to_prior"

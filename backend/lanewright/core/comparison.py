@@ -1,0 +1,197 @@
+"""Two states of one map side by side: who survives, what differs, which places persist.
+
+The one context that the diff and every rule read. Equal elements are skipped by identity, then by value; geometry is
+looked at only where something differs, and remembered.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from lanewright.core import geometry
+from lanewright.core.elements import ElementKey, ElementKind, MapState, PedestrianCrossing
+from lanewright.core.geometry import Shape, distance_m, hausdorff_m, moved, overlap, polygon, readable_element
+from lanewright.core.roadgraph import FINISH, START, Endpoint, Link, RoadGraph
+from lanewright.core.turns import TurnFunction, same_function, turn_function
+
+COINCIDENT_M = 3.0
+"""Free chain ends within this distance are the same place (spec §5)."""
+SAME_CROSSING_OVERLAP = 0.3
+"""Crossings with at least this intersection over union are one crossing (spec §5)."""
+
+
+class Comparison:
+    """Base and edited map compared (spec §2: B, E, survivors, deleted, inserted)."""
+
+    def __init__(self, base: MapState, edited: MapState):
+        self.base = base
+        self.edited = edited
+        self._moved: dict[int, tuple[bool, bool]] = {}
+        self._polygons: dict[tuple[bool, ElementKey], Shape] = {}
+        self._functions: dict[tuple[bool, int], TurnFunction | None] = {}
+
+    @cached_property
+    def base_graph(self) -> RoadGraph:
+        return RoadGraph.of(self.base)
+
+    @cached_property
+    def edited_graph(self) -> RoadGraph:
+        return RoadGraph.of(self.edited)
+
+    @cached_property
+    def surviving_lanes(self) -> frozenset[int]:
+        return frozenset(self.base.lanes.keys() & self.edited.lanes.keys())
+
+    @cached_property
+    def deleted_lanes(self) -> frozenset[int]:
+        return frozenset(self.base.lanes.keys() - self.edited.lanes.keys())
+
+    @cached_property
+    def inserted_lanes(self) -> frozenset[int]:
+        return frozenset(self.edited.lanes.keys() - self.base.lanes.keys())
+
+    @cached_property
+    def surviving_crossings(self) -> frozenset[int]:
+        return frozenset(self.base.crossings.keys() & self.edited.crossings.keys())
+
+    @cached_property
+    def deleted_crossings(self) -> frozenset[int]:
+        return frozenset(self.base.crossings.keys() - self.edited.crossings.keys())
+
+    @cached_property
+    def inserted_crossings(self) -> frozenset[int]:
+        return frozenset(self.edited.crossings.keys() - self.base.crossings.keys())
+
+    @cached_property
+    def differing_lanes(self) -> tuple[int, ...]:
+        """Surviving lanes that are not equal by value, ascending."""
+        base = self.base.lanes
+        return tuple(
+            sorted(
+                key
+                for key, lane in self.edited.lanes.items()
+                if (known := base.get(key)) is not None and known is not lane and known != lane
+            )
+        )
+
+    @cached_property
+    def differing_crossings(self) -> tuple[int, ...]:
+        """Surviving crossings that are not equal by value, ascending."""
+        base = self.base.crossings
+        return tuple(
+            sorted(
+                key
+                for key, crossing in self.edited.crossings.items()
+                if (known := base.get(key)) is not None and known is not crossing and known != crossing
+            )
+        )
+
+    def moved_sides(self, lane: int) -> tuple[bool, bool]:
+        """Whether the left and the right boundary of a surviving lane moved."""
+        if lane not in self._moved:
+            was, now = self.base.lanes[lane], self.edited.lanes[lane]
+            self._moved[lane] = (
+                moved(was.left_boundary, now.left_boundary),
+                moved(was.right_boundary, now.right_boundary),
+            )
+        return self._moved[lane]
+
+    def crossing_moved(self, crossing: int) -> bool:
+        """Whether an edge of a surviving crossing moved, edges assigned to each other at their best."""
+        was, now = self.base.crossings[crossing], self.edited.crossings[crossing]
+        return best_edge_distance_m(was, now) > geometry.MOVED_M
+
+    @cached_property
+    def changed_links(self) -> tuple[tuple[Link, bool], ...]:
+        """Links between two survivors that differ, ascending, each with whether it appeared (else it went)."""
+        survivors = self.surviving_lanes
+        found: dict[Link, bool] = {}
+        for lane in self.differing_lanes:
+            for index, flip in (("successors", False), ("predecessors", True)):
+                was = set(getattr(self.base_graph, index)[lane])
+                now = set(getattr(self.edited_graph, index)[lane])
+                for other in was ^ now:
+                    if other in survivors:
+                        found[(other, lane) if flip else (lane, other)] = other in now
+        return tuple(sorted(found.items()))
+
+    def shape(self, key: ElementKey, *, edited: bool) -> Shape:
+        """The area that an element covers in the edited map (else in the base), remembered."""
+        if (edited, key) not in self._polygons:
+            element = (self.edited if edited else self.base).get(key)
+            assert element is not None
+            self._polygons[(edited, key)] = polygon(element)
+        return self._polygons[(edited, key)]
+
+    def shapes(self, key: ElementKey) -> tuple[Shape, ...]:
+        """The areas of an element in base and edited map, as far as it is in them."""
+        return tuple(
+            self.shape(key, edited=edited)
+            for edited, state in ((False, self.base), (True, self.edited))
+            if key in state
+        )
+
+    def function(self, lane: int, *, edited: bool) -> TurnFunction | None:
+        """The turn function of a lane in the edited map (else in the base), remembered."""
+        if (edited, lane) not in self._functions:
+            graph = self.edited_graph if edited else self.base_graph
+            self._functions[(edited, lane)] = turn_function(graph, lane)
+        return self._functions[(edited, lane)]
+
+    def keeps_function(self, lane: int) -> bool:
+        """Whether a survivor is an intersection lane in both maps with equal function (spec §5)."""
+        return self.equal_function(lane, lane)
+
+    def equal_function(self, was: int, now: int) -> bool:
+        """Whether a lane of the base and one of the edited map have equal function."""
+        one, other = self.base.lanes[was], self.edited.lanes[now]
+        if not (one.is_intersection and other.is_intersection):
+            return False
+        return same_function(self.function(was, edited=False), self.function(now, edited=True), self.surviving_lanes)
+
+    def held_by(self, endpoint: Endpoint, *, edited: bool) -> frozenset[Endpoint]:
+        """Other survivors' endpoints in the vertex of a survivor's, by links among survivors alone."""
+        graph = self.edited_graph if edited else self.base_graph
+        members = graph.vertex(endpoint, self.surviving_lanes)
+        return frozenset(member for member in members if member[0] != endpoint[0])
+
+    def rerouted_in_place(self, lane: int) -> bool:
+        """Whether a survivor's place in the road graph changed while its function persists."""
+        if not self.edited.lanes[lane].is_intersection or not self.base.lanes[lane].is_intersection:
+            return False
+        place_changed = any(
+            self.held_by((lane, end), edited=False) != self.held_by((lane, end), edited=True)
+            or not self.coincide((lane, end), (lane, end))
+            for end in (START, FINISH)
+        )
+        return place_changed and self.keeps_function(lane)
+
+    def coincide(self, was: Endpoint, now: Endpoint) -> bool:
+        """Whether an endpoint in the base and one in the edited map are the same place (spec §5)."""
+        one = self.base_graph.anchors(was, self.surviving_lanes) - {was}
+        other = self.edited_graph.anchors(now, self.surviving_lanes) - {now}
+        if one or other:
+            return not one.isdisjoint(other)
+        if not readable_element(self.base.lanes[was[0]]) or not readable_element(self.edited.lanes[now[0]]):
+            return False
+        return distance_m(self.base_graph.location(was), self.edited_graph.location(now)) <= COINCIDENT_M
+
+
+def best_edge_distance_m(was: PedestrianCrossing, now: PedestrianCrossing) -> float:
+    """The larger Hausdorff distance of the two edges, in the better of the two assignments."""
+    straight = max(hausdorff_m(was.edge1, now.edge1), hausdorff_m(was.edge2, now.edge2))
+    crossed = max(hausdorff_m(was.edge1, now.edge2), hausdorff_m(was.edge2, now.edge1))
+    return min(straight, crossed)
+
+
+def same_crossing(one: Shape, other: Shape) -> bool:
+    """Whether two crossings overlap so far that they are one."""
+    return overlap(one, other) >= SAME_CROSSING_OVERLAP
+
+
+def lane_key(lane: int) -> ElementKey:
+    return ElementKey(ElementKind.LANE_SEGMENT, lane)
+
+
+def crossing_key(crossing: int) -> ElementKey:
+    return ElementKey(ElementKind.PEDESTRIAN_CROSSING, crossing)

@@ -1,0 +1,139 @@
+"""Plane geometry of lines and elements: metres, city frame, z ignored throughout (spec §1: z alone is never a change).
+
+Kernels take lines and return numbers or shapely shapes. A line with fewer than two points or a coordinate that is not
+finite cannot be read; such lines compare by value and have no shape.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import shapely
+
+from lanewright.core.elements import Element, LaneSegment, Line, PedestrianCrossing, Point
+
+Plan = npt.NDArray[np.float64]
+"""Points in the plane, shape (n, 2)."""
+Shape = Any
+"""A shapely geometry (shapely ships no types)."""
+
+MOVED_M = 0.05
+"""A boundary moved when the Hausdorff distance between its old and new line is larger (spec §3)."""
+_DENSIFIED_M = 0.5
+_MOST_DENSIFIED = 2_000
+_FLAT_M = 1e-9
+
+
+def plan(line: Line) -> Plan:
+    """The points of a line in the plane, shape (n, 2)."""
+    return np.array([point[:2] for point in line], dtype=np.float64).reshape(-1, 2)
+
+
+def same_plan(one: Line, other: Line) -> bool:
+    """Whether two lines have the same points in the plane, z aside."""
+    return one is other or (
+        len(one) == len(other) and all(a[0] == b[0] and a[1] == b[1] for a, b in zip(one, other, strict=True))
+    )
+
+
+def readable(line: Line) -> bool:
+    """Whether a line has at least two points, all finite in the plane."""
+    return len(line) >= 2 and all(math.isfinite(x) and math.isfinite(y) for x, y, _ in line)
+
+
+def readable_element(element: Element) -> bool:
+    """Whether both lines of an element can be read."""
+    return all(readable(line) for line in lines_of(element))
+
+
+def lines_of(element: Element) -> tuple[Line, Line]:
+    """Left and right boundary of a lane, or the two edges of a crossing."""
+    if isinstance(element, LaneSegment):
+        return element.left_boundary, element.right_boundary
+    return element.edge1, element.edge2
+
+
+def hausdorff_m(one: Line, other: Line) -> float:
+    """2-D Hausdorff distance between two lines, both densified to 0.5 m (coarser on lines beyond 1 km)."""
+    if same_plan(one, other):
+        return 0.0
+    if not (readable(one) and readable(other)):
+        return math.inf
+    shapes = shapely.linestrings(plan(one)), shapely.linestrings(plan(other))
+    longest = max(shapely.length(shapes[0]), shapely.length(shapes[1]))
+    step = max(_DENSIFIED_M, longest / _MOST_DENSIFIED)
+    return float(shapely.hausdorff_distance(*(shapely.segmentize(shape, step) for shape in shapes)))
+
+
+def moved(one: Line, other: Line) -> bool:
+    """Whether a boundary moved between two states (spec §3)."""
+    return not same_plan(one, other) and hausdorff_m(one, other) > MOVED_M
+
+
+def length_m(points: Plan) -> float:
+    """Arc length of a polyline in the plane."""
+    return float(np.hypot(*np.diff(points, axis=0).T).sum())
+
+
+def resample(points: Plan, count: int) -> Plan:
+    """``count`` points at equal arc length along a polyline, ends included; shape (count, 2)."""
+    steps = np.hypot(*np.diff(points, axis=0).T)
+    along = np.concatenate([[0.0], np.cumsum(steps)])
+    wanted = np.linspace(0.0, along[-1], count)
+    return np.column_stack([np.interp(wanted, along, points[:, axis]) for axis in (0, 1)])
+
+
+def centreline(lane: LaneSegment, count: int = 21) -> Plan:
+    """Midpoints of left and right boundary at equal fractions of their lengths, shape (count, 2)."""
+    middle: Plan = (resample(plan(lane.left_boundary), count) + resample(plan(lane.right_boundary), count)) / 2
+    return middle
+
+
+def end_midpoint(lane: LaneSegment, end: int) -> Point:
+    """Midpoint between left and right at the start (0) or the finish (1) of a lane; z is the mean."""
+    left, right = lane.left_boundary[-end], lane.right_boundary[-end]
+    return ((left[0] + right[0]) / 2, (left[1] + right[1]) / 2, (left[2] + right[2]) / 2)
+
+
+def distance_m(one: Point, other: Point) -> float:
+    """Distance of two points in the plane."""
+    return math.hypot(one[0] - other[0], one[1] - other[1])
+
+
+def heading(points: Plan) -> float:
+    """Direction from the first to the last point, radians from grid east; of the middle where those coincide."""
+    dx, dy = points[-1] - points[0]
+    if math.hypot(dx, dy) < _FLAT_M and len(points) > 2:
+        middle = len(points) // 2
+        dx, dy = points[middle] - points[middle - 1]
+    return math.atan2(dy, dx)
+
+
+def turned(before: float, after: float) -> float:
+    """The signed angle from one heading to another, radians in (-pi, pi]; left is positive."""
+    angle = math.remainder(after - before, math.tau)
+    return math.pi if angle == -math.pi else angle
+
+
+def polygon(element: Element) -> Shape:
+    """The area an element covers: left plus reversed right, or the hull of a crossing's corners.
+
+    Invalid rings are repaired, so areas and distances are defined; unreadable elements give an empty polygon.
+    """
+    if not readable_element(element):
+        return shapely.Polygon()
+    one, other = (plan(line) for line in lines_of(element))
+    if isinstance(element, PedestrianCrossing):
+        return shapely.convex_hull(shapely.multipoints(np.vstack([one, other])))
+    ring = shapely.linearrings(np.vstack([one, other[::-1]]))
+    shape = shapely.polygons(ring)
+    return shape if shapely.is_valid(shape) else shapely.make_valid(shape)
+
+
+def overlap(one: Shape, other: Shape) -> float:
+    """Intersection over union of two areas, 0 where neither has any."""
+    union = shapely.area(shapely.union(one, other))
+    return float(shapely.area(shapely.intersection(one, other)) / union) if union > 0 else 0.0

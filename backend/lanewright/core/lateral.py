@@ -1,0 +1,47 @@
+"""Lateral groups: the lanes of one direction and type side by side (spec §5)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from lanewright.core.elements import LaneSegment
+from lanewright.core.geometry import centreline, heading, readable_element, turned
+
+
+def same_direction(one: LaneSegment, other: LaneSegment) -> bool:
+    """Whether two lanes head within 90° of each other; unreadable lanes head nowhere."""
+    if not (readable_element(one) and readable_element(other)):
+        return False
+    return abs(turned(heading(centreline(one)), heading(centreline(other)))) < math.pi / 2
+
+
+def right_of(lanes: Mapping[int, LaneSegment], lane: int) -> int | None:
+    """The next lane to the right in the lateral group, or None."""
+    return _beside(lanes, lane, lanes[lane].right_neighbor_id, "left_neighbor_id")
+
+
+def left_of(lanes: Mapping[int, LaneSegment], lane: int) -> int | None:
+    """The next lane to the left in the lateral group, or None (an oncoming neighbour is none)."""
+    return _beside(lanes, lane, lanes[lane].left_neighbor_id, "right_neighbor_id")
+
+
+def _beside(lanes: Mapping[int, LaneSegment], lane: int, named: int | None, back: str) -> int | None:
+    other = lanes.get(named) if named is not None else None
+    if other is None or other.id == lane or getattr(other, back) != lane:
+        return None
+    here = lanes[lane]
+    return other.id if other.lane_type == here.lane_type and same_direction(here, other) else None
+
+
+def lateral_group(lanes: Mapping[int, LaneSegment], lane: int) -> tuple[int, ...]:
+    """The lanes of one direction and type beside this one, itself included, from left to right."""
+    group = [lane]
+    seen = {lane}
+    while (other := left_of(lanes, group[0])) is not None and other not in seen:
+        group.insert(0, other)
+        seen.add(other)
+    while (other := right_of(lanes, group[-1])) is not None and other not in seen:
+        group.append(other)
+        seen.add(other)
+    return tuple(group)

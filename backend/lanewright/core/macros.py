@@ -1,0 +1,145 @@
+"""Structural updates and their macro-modifications (spec §4, matrix C)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+
+import shapely
+
+from lanewright.core.changes import AtomicChange, Category, Macros, StructuralUpdate
+from lanewright.core.comparison import Comparison, lane_key
+from lanewright.core.elements import ElementKey, ElementKind
+from lanewright.core.leaves import TOPOLOGY
+from lanewright.core.roadgraph import RoadGraph
+
+TOUCHING_M = 5.0
+"""Changes whose polygons are this near belong to one update (spec §4)."""
+
+
+def structural_updates(comparison: Comparison, changes: Iterable[AtomicChange]) -> tuple[StructuralUpdate, ...]:
+    """The updates that the changes form, each with its macros, by smallest element."""
+    by_key = {change.key: change for change in changes}
+    return tuple(
+        StructuralUpdate(group, macros(comparison, [by_key[key] for key in group]))
+        for group in touching_groups(comparison, by_key.keys())
+    )
+
+
+def touching_groups(comparison: Comparison, keys: Collection[ElementKey]) -> tuple[tuple[ElementKey, ...], ...]:
+    """Elements that are linked, neighbours or within 5 m of each other, in base or edited map, transitively."""
+    parent = {key: key for key in keys}
+
+    def root(key: ElementKey) -> ElementKey:
+        while parent[key] != key:
+            parent[key] = parent[parent[key]]
+            key = parent[key]
+        return key
+
+    for one, other in (*_related(comparison, keys), *_near(comparison, sorted(keys))):
+        parent[root(one)] = root(other)
+    groups: dict[ElementKey, list[ElementKey]] = {}
+    for key in sorted(keys):
+        groups.setdefault(root(key), []).append(key)
+    return tuple(sorted(tuple(group) for group in groups.values()))
+
+
+def _related(comparison: Comparison, keys: Collection[ElementKey]) -> Iterable[tuple[ElementKey, ElementKey]]:
+    """Pairs of linked lanes and of neighbours among the keys."""
+    for graph in (comparison.base_graph, comparison.edited_graph):
+        for key in keys:
+            if key.kind is ElementKind.LANE_SEGMENT and key.id in graph.lanes:
+                lane = graph.lanes[key.id]
+                beside = (lane.left_neighbor_id, lane.right_neighbor_id)
+                for other in (*graph.successors[key.id], *graph.predecessors[key.id], *beside):
+                    if other is not None and lane_key(other) in keys:
+                        yield key, lane_key(other)
+
+
+def _near(comparison: Comparison, keys: list[ElementKey]) -> Iterable[tuple[ElementKey, ElementKey]]:
+    """Pairs of elements whose areas, in either map, are within 5 m."""
+    owners: list[ElementKey] = []
+    shapes = []
+    for key in keys:
+        for shape in comparison.shapes(key):
+            owners.append(key)
+            shapes.append(shape)
+    if not shapes:
+        return
+    tree = shapely.STRtree(shapes)
+    for one, other in tree.query(shapes, predicate="dwithin", distance=TOUCHING_M).T:
+        if one < other:
+            yield owners[one], owners[other]
+
+
+def macros(comparison: Comparison, changes: Collection[AtomicChange]) -> Macros:
+    """The macros of one structural update, derived from its atomic changes."""
+    categories = {category for change in changes for category in change.categories}
+    whole = {Category.INSERTION, Category.DELETION}
+    lanes = [change for change in changes if change.kind is ElementKind.LANE_SEGMENT]
+    crossings = [change for change in changes if change.kind is ElementKind.PEDESTRIAN_CROSSING]
+    inserted = {change.id for change in lanes if Category.INSERTION in change.categories}
+    deleted = {change.id for change in lanes if Category.DELETION in change.categories}
+    return Macros(
+        shape=Category.GEOMETRY in categories,
+        appearance=Category.MARKING in categories or any(whole & set(change.categories) for change in crossings),
+        function=Category.TYPE in categories,
+        lane_graph=bool(inserted or deleted)
+        or any(TOPOLOGY in change.leaves for change in lanes)
+        or categories == {Category.CONNECTIVITY},
+        lane_number=fewest_paths(comparison.edited_graph, inserted) - fewest_paths(comparison.base_graph, deleted),
+    )
+
+
+def fewest_paths(graph: RoadGraph, lanes: Collection[int]) -> int:
+    """The fewest disjoint link paths that cover the lanes: as many as have no link to follow in the best choice.
+
+    Maximum matching of lanes to successors by augmenting paths; a ring counts as one path.
+    """
+    follower: dict[int, int] = {}
+    leader: dict[int, int] = {}
+    for lane in sorted(lanes):
+        _augment(graph.successors, lanes, lane, follower, leader)
+    return len(lanes) - len(follower) + _rings(follower)
+
+
+def _augment(
+    successors: Mapping[int, tuple[int, ...]],
+    lanes: Collection[int],
+    start: int,
+    follower: dict[int, int],
+    leader: dict[int, int],
+) -> None:
+    """Find a follower for one more lane, moving others on to their alternatives (breadth first)."""
+    came_from: dict[int, int] = {}
+    queue = [start]
+    while queue:
+        lane = queue.pop(0)
+        for other in successors[lane]:
+            if other not in lanes or other in came_from:
+                continue
+            came_from[other] = lane
+            if other in leader:
+                queue.append(leader[other])
+                continue
+            taken: int | None = other
+            while taken is not None:
+                lane = came_from[taken]
+                before = follower.get(lane)
+                follower[lane], leader[taken] = taken, lane
+                taken = before if lane != start else None
+            return
+
+
+def _rings(follower: Mapping[int, int]) -> int:
+    """How many closed rings the chosen followers form."""
+    seen: set[int] = set()
+    rings = 0
+    for start in follower:
+        trail: list[int] = []
+        lane: int | None = start
+        while lane is not None and lane not in seen:
+            seen.add(lane)
+            trail.append(lane)
+            lane = follower.get(lane)
+        rings += lane is not None and lane in trail
+    return rings
