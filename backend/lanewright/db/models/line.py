@@ -11,7 +11,17 @@ import uuid
 from typing import Any
 
 from geoalchemy2 import Geometry
-from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, Integer, Text, UniqueConstraint, text
+from sqlalchemy import (
+    BigInteger,
+    CheckConstraint,
+    ForeignKey,
+    ForeignKeyConstraint,
+    Index,
+    Integer,
+    Text,
+    UniqueConstraint,
+    text,
+)
 from sqlalchemy.orm import Mapped, mapped_column
 
 from lanewright.db.models.base import Base, created, identity
@@ -62,7 +72,7 @@ class ElementVersion(Base):
 
     __tablename__ = "element_version"
 
-    line_id: Mapped[int] = mapped_column(ForeignKey("line.id", ondelete="CASCADE"), primary_key=True)
+    line_id: Mapped[int] = mapped_column(BigInteger, primary_key=True)
     kind: Mapped[str] = mapped_column(Text, primary_key=True)
     element_id: Mapped[int] = mapped_column(BigInteger, primary_key=True, autoincrement=False)
     rev_from: Mapped[int] = mapped_column(Integer, primary_key=True, autoincrement=False)
@@ -74,6 +84,7 @@ class ElementVersion(Base):
     sha256: Mapped[bytes]
 
     __table_args__ = (
+        ForeignKeyConstraint(["line_id", "rev_from"], ["revision.line_id", "revision.number"], ondelete="CASCADE"),
         CheckConstraint("rev_from < rev_to", name="revisions"),
         CheckConstraint("kind IN ('lane_segment', 'pedestrian_crossing')", name="kind"),
         Index(

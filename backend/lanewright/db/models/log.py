@@ -30,6 +30,8 @@ class Log(Base):
     line_id: Mapped[int] = mapped_column(ForeignKey("line.id", use_alter=True))
     next_new_id: Mapped[int] = mapped_column(BigInteger)
     """First element id that no block of this log has handed out yet."""
+    last_new_id: Mapped[int] = mapped_column(BigInteger)
+    """Last one that may be handed out: all from ``next_new_id`` to here are unused by the map, rim ids included."""
     summary: Mapped[dict[str, Any]]
     """JSON: bounds in city metres, counts, sensors present (name -> files), parts absent."""
     imported_at: Mapped[created]
@@ -38,7 +40,7 @@ class Log(Base):
         Index("ix_log_city_release_split", "city", "release_split"),
         CheckConstraint("release_split IN ('train', 'val', 'test')", name="release_split"),
         CheckConstraint("direction IN ('prior_to_current', 'current_to_prior')", name="direction"),
-        CheckConstraint("next_new_id <= 2147483648", name="next_new_id"),
+        CheckConstraint("next_new_id <= last_new_id + 1 AND last_new_id <= 2147483647", name="new_ids"),
     )
 
 

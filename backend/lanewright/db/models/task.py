@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
-from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, Integer, Text, UniqueConstraint
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, Integer, Sequence, Text, UniqueConstraint
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from lanewright.db.models.account import Account
 from lanewright.db.models.base import Base, created, identity, moment
 from lanewright.db.models.line import Line
 from lanewright.db.models.log import Log
+
+DRAFT_VERSIONS = Sequence("draft_version", metadata=Base.metadata)
 
 
 class Task(Base):
@@ -71,8 +73,9 @@ class Draft(Base):
     account_id: Mapped[int] = mapped_column(ForeignKey("account.id", ondelete="CASCADE"), primary_key=True)
     base_revision: Mapped[int] = mapped_column(Integer)
     edits: Mapped[list[Any]]
-    version: Mapped[int] = mapped_column(Integer)
-    """Counts writes; a writer names the version it has seen, so two devices cannot overwrite each other unseen."""
+    version: Mapped[int] = mapped_column(Integer, DRAFT_VERSIONS)
+    """Names this write, never given twice; a writer names the one it has seen, so two devices cannot overwrite each
+    other unseen, not even across a draft that was dropped in between."""
     kept_at: Mapped[moment]
 
 
