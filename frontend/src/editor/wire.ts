@@ -1,0 +1,90 @@
+/** The parts of the REST API's bodies that the editor reads and writes; the generated types are assignable to them. */
+import type { ElementKey, ElementKind } from "./elements";
+
+export interface WirePoint {
+  x: number;
+  y: number;
+  z: number | null;
+}
+
+/** Coordinates received always have their z; null is only sent. */
+interface WireLane {
+  readonly id: number;
+  readonly is_intersection: boolean;
+  readonly lane_type: string;
+  readonly left_lane_boundary: readonly WirePoint[];
+  readonly left_lane_mark_type: string;
+  readonly right_lane_boundary: readonly WirePoint[];
+  readonly right_lane_mark_type: string;
+  readonly successors: readonly number[];
+  readonly predecessors: readonly number[];
+  readonly right_neighbor_id: number | null;
+  readonly left_neighbor_id: number | null;
+}
+
+interface WireCrossing {
+  readonly id: number;
+  readonly edge1: readonly WirePoint[];
+  readonly edge2: readonly WirePoint[];
+}
+
+export interface WireMap {
+  readonly lanes: readonly { readonly version: number; readonly attributes: WireLane }[];
+  readonly crossings: readonly { readonly version: number; readonly attributes: WireCrossing }[];
+}
+
+/** What the editor needs of an opened workspace. */
+export interface EditorWorkspace {
+  readonly task: { readonly can_edit: boolean };
+  readonly revision: number;
+  readonly base: WireMap;
+  readonly changed: WireMap;
+  readonly removed: readonly ElementKey[];
+}
+
+/** What the editor needs of the answer to a save. */
+export interface EditorSavedRevision {
+  readonly revision: number;
+  readonly changed: WireMap;
+  readonly removed: readonly ElementKey[];
+}
+
+/** Fresh element ids, both ends included. */
+export interface IdBlock {
+  readonly first_id: number;
+  readonly last_id: number;
+}
+
+export type Operation = "insert" | "update" | "delete";
+
+/** The attributes of an edit: the changed ones (update), all but the id (insert), none (delete). */
+export interface EditAttributes {
+  is_intersection?: boolean;
+  lane_type?: string;
+  left_lane_boundary?: WirePoint[];
+  left_lane_mark_type?: string;
+  right_lane_boundary?: WirePoint[];
+  right_lane_mark_type?: string;
+  successors?: number[];
+  predecessors?: number[];
+  right_neighbor_id?: number | null;
+  left_neighbor_id?: number | null;
+  edge1?: WirePoint[];
+  edge2?: WirePoint[];
+}
+
+/** One net edit of one element, as the server takes it (`EditIn`). */
+export interface Edit {
+  operation: Operation;
+  kind: ElementKind;
+  id: number;
+  attributes: EditAttributes;
+}
+
+/** An edit as it comes: from the server (a fix, a stored draft) or this computer's storage. Not trusted. */
+export interface ReceivedEdit {
+  readonly operation: Operation;
+  readonly kind: ElementKind;
+  readonly id: number;
+  readonly attributes?: { readonly [name: string]: unknown };
+}
