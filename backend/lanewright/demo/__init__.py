@@ -1,0 +1,5 @@
+"""Lanewright's own demo data: procedural logs in the TbV directory layout, deterministic by seed."""
+
+from lanewright.demo.log import DemoLog, demo_maps, generate
+
+__all__ = ["DemoLog", "demo_maps", "generate"]

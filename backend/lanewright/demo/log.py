@@ -1,0 +1,145 @@
+"""Demo logs: from a seed to maps in memory, and to log folders on disk."""
+
+from __future__ import annotations
+
+import json
+import string
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from lanewright.core.elements import Line, MapState
+from lanewright.demo.assembly import Names, assemble
+from lanewright.demo.crop import crop
+from lanewright.demo.drive import Poses, drive, route
+from lanewright.demo.ground import Ground
+from lanewright.demo.lidar import sweeps
+from lanewright.demo.network import draft
+from lanewright.demo.plan import Plan
+from lanewright.demo.scenarios import SCENARIOS, Scenario
+from lanewright.demo.scenarios.scenario import Direction
+from lanewright.demo.surface import drivable_areas, ground_raster, pavement
+from lanewright.demo.writer import (
+    write_calibration,
+    write_map,
+    write_poses,
+    write_raster,
+    write_sweep,
+)
+
+LOG_ID_LENGTH = 32
+
+
+@dataclass(frozen=True)
+class DemoLog:
+    """A log and what it knows beyond its folder.
+
+    Attributes:
+        base: the map on disk: stale if the direction is ``prior_to_current``, else the current world.
+        changed: the other map, written beside the folder.
+        split: release split, ``train``, ``val`` or ``test``.
+    """
+
+    log_id: str
+    city: str
+    split: str
+    direction: Direction
+    base: MapState
+    changed: MapState
+    folder: Path
+    changed_path: Path
+
+
+@dataclass(frozen=True)
+class _World:
+    """Everything about a log before it is written."""
+
+    scenario: Scenario
+    log_id: str
+    city_number: int
+    ground: Ground
+    poses: Poses
+    base: MapState
+    changed: MapState
+    generator: np.random.Generator
+
+    @property
+    def current(self) -> MapState:
+        return self.base if self.scenario.direction is Direction.CURRENT_TO_PRIOR else self.changed
+
+
+def demo_maps(seed: int, logs: int = len(SCENARIOS)) -> list[tuple[MapState, MapState]]:
+    """Base and changed map of each demo log, in memory."""
+    return [(world.base, world.changed) for world in _worlds(seed, logs)]
+
+
+def generate(seed: int, out_dir: Path, logs: int = len(SCENARIOS)) -> list[DemoLog]:
+    """Write demo logs and ``demo.json`` below ``out_dir``; the same seed gives the same bytes.
+
+    Raises:
+        OSError: the folder cannot be written.
+    """
+    out_dir.mkdir(parents=True, exist_ok=True)
+    written = [_write(world, out_dir) for world in _worlds(seed, logs)]
+    contents = [
+        {
+            "log_id": log.log_id,
+            "city": log.city,
+            "split": log.split,
+            "direction": log.direction.value,
+            "changed": log.changed_path.name,
+        }
+        for log in written
+    ]
+    (out_dir / "demo.json").write_text(json.dumps({"seed": seed, "logs": contents}, indent=1) + "\n", encoding="utf-8")
+    return written
+
+
+def _worlds(seed: int, logs: int) -> Iterator[_World]:
+    for index in range(logs):
+        generator = np.random.default_rng([seed, index])
+        yield _world(SCENARIOS[index % len(SCENARIOS)](generator), generator)
+
+
+def _world(scenario: Scenario, generator: np.random.Generator) -> _World:
+    first = next(iter(scenario.current.roads.values())).path
+    ground = Ground.random(generator, first.x, first.y)
+    names = Names(generator)
+    plans: tuple[Plan, Plan] = (scenario.stale, scenario.current)
+    if scenario.direction is Direction.CURRENT_TO_PRIOR:
+        plans = (scenario.current, scenario.stale)
+    base, changed = (assemble(draft(plan, ground), names, one_sided=scenario.one_sided) for plan in plans)
+    current = base if scenario.direction is Direction.CURRENT_TO_PRIOR else changed
+    start, goal = (names.ids[name] for name in scenario.route)
+    poses = drive(route(current, start, goal), *scenario.drive, ground, generator)
+    base, changed = crop(base, changed, poses.trajectory)
+    letters = list(string.ascii_letters + string.digits)
+    label = f"LanewrightDemo{scenario.name.capitalize()}"
+    tail = "".join(generator.choice(letters, LOG_ID_LENGTH - len(label)))
+    city_number = int(generator.integers(10_000, 99_999))
+    return _World(
+        scenario, f"{label}{tail}__{scenario.season}", city_number, ground, poses, base, changed, generator
+    )
+
+
+def _write(world: _World, out_dir: Path) -> DemoLog:
+    scenario, log_id, city = world.scenario, world.log_id, world.scenario.city
+    folder, changed_path = out_dir / log_id, out_dir / f"{log_id}.changed.json"
+    surface = pavement(scenario.current, world.poses.trajectory)
+    first_area = int(world.generator.integers(1_000_000, 1_900_000))
+    areas: list[tuple[int, Line]] = [
+        (first_area + 31 * index, ring) for index, ring in enumerate(drivable_areas(surface, world.ground))
+    ]
+    name = f"log_map_archive_{log_id}____{city}_city_{world.city_number}.json"
+    write_map(folder / "map" / name, world.base, areas)
+    write_map(changed_path, world.changed, areas)
+    write_raster(folder / "map", log_id, city, *ground_raster(surface, world.ground))
+    write_poses(folder, world.poses)
+    write_calibration(folder / "calibration")
+    for sweep in sweeps(world.current, surface, world.ground, world.poses, world.generator):
+        write_sweep(folder / "sensors" / "lidar", sweep.timestamp, sweep.points, sweep.marks)
+    return DemoLog(
+        log_id, city, scenario.split, scenario.direction, world.base, world.changed, folder, changed_path
+    )

@@ -1,0 +1,60 @@
+"""What a scenario is, and the pieces of cross-section that scenarios share."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+
+from lanewright.core.elements import LaneType, Mark
+from lanewright.demo.plan import Half, Plan, Slot, Turn
+
+
+class Direction(StrEnum):
+    """Which way a task on the log runs: the base is stale, or the base is the current world (spec §3)."""
+
+    PRIOR_TO_CURRENT = "prior_to_current"
+    CURRENT_TO_PRIOR = "current_to_prior"
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """A place, its two states and a drive through it.
+
+    Attributes:
+        route: names of the lanes where the drive starts and ends, in the current world.
+        drive: metres after the route's start where the log begins, and its length in metres.
+        one_sided: whether its map lists a predecessor only when its id is smaller than the lane's own.
+    """
+
+    name: str
+    city: str
+    season: str
+    split: str
+    direction: Direction
+    stale: Plan
+    current: Plan
+    route: tuple[str, str]
+    drive: tuple[float, float]
+    one_sided: bool = False
+
+
+def about(generator: np.random.Generator, value: float, spread: float = 0.1) -> float:
+    """A width near ``value``, to the centimetre."""
+    return round(float(generator.uniform(value - spread, value + spread)), 2)
+
+
+def bike(width: float = 1.7, outer: Mark = Mark.NONE) -> Slot:
+    """A bike lane at the right."""
+    return Slot("bike", width, outer, LaneType.BIKE, Turn.THROUGH)
+
+
+def left_pocket(width: float = 3.0) -> Slot:
+    """A left turn lane that opens from the leftmost through lane."""
+    return Slot("left", width, Mark.SOLID_WHITE, turns=Turn.LEFT, parent="1")
+
+
+def half(*slots: Slot, inner: float = 0.0) -> Half:
+    """One direction of travel, from the centre outwards."""
+    return Half(slots, inner)
