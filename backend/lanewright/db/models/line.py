@@ -58,7 +58,7 @@ class Revision(Base):
     note: Mapped[str] = mapped_column(Text, default="")
     changeset_uuid: Mapped[uuid.UUID | None]
     body_sha256: Mapped[bytes | None]
-    answer: Mapped[bytes | None]
+    answer: Mapped[bytes | None] = mapped_column(deferred=True)
     content_sha256: Mapped[bytes]
     """Hash over the sorted (kind, id, sha256) of all live versions."""
     updates: Mapped[list[Any]]

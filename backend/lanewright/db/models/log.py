@@ -23,7 +23,7 @@ class Log(Base):
     release_split: Mapped[str] = mapped_column(Text)
     direction: Mapped[str] = mapped_column(Text)
     map_file_name: Mapped[str] = mapped_column(Text)
-    map_document: Mapped[bytes]
+    map_document: Mapped[bytes] = mapped_column(deferred=True)
     map_sha256: Mapped[bytes]
     content_sha256: Mapped[bytes]
     """Hash of everything imported: the same log imported again is recognised by it."""
