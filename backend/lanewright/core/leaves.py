@@ -22,7 +22,7 @@ def geometry_leaves(was: LaneSegment, now: LaneSegment, moved_left: bool, moved_
         for edited, lane in ((False, was), (True, now))
         for side, line in (("left", lane.left_boundary), ("right", lane.right_boundary))
     }
-    normals = _normals(sum(lines.values()) / 4)
+    across = normals(np.mean(list(lines.values()), axis=0))
     widened = np.abs(_width(lines, edited=True) - _width(lines, edited=False)).max() > SHAPE_M
     leaves: set[str] = set()
     for side, moved in _sides(moved_left, moved_right):
@@ -30,7 +30,7 @@ def geometry_leaves(was: LaneSegment, now: LaneSegment, moved_left: bool, moved_
             continue
         if widened:
             leaves.add(f"geometry.width.{side}")
-        shift = ((lines[True, side] - lines[False, side]) * normals).sum(axis=1)
+        shift = ((lines[True, side] - lines[False, side]) * across).sum(axis=1)
         if not widened or np.abs(shift - shift.mean()).max() > SHAPE_M:
             leaves.add(f"geometry.border.{side}")
     return leaves
@@ -45,13 +45,13 @@ def _width(lines: dict[tuple[bool, str], Plan], *, edited: bool) -> Plan:
     return across
 
 
-def _normals(middle: Plan) -> Plan:
+def normals(middle: Plan) -> Plan:
     """Unit normals (to the left) at each point by central differences, shape (n, 2); zero where it stands still."""
     tangents = np.gradient(middle, axis=0)
     length = np.hypot(*tangents.T)
     length[length == 0] = 1.0
-    normals: Plan = np.column_stack([-tangents[:, 1], tangents[:, 0]]) / length[:, None]
-    return normals
+    across: Plan = np.column_stack([-tangents[:, 1], tangents[:, 0]]) / length[:, None]
+    return across
 
 
 def marking_leaves(was: LaneSegment, now: LaneSegment) -> set[str]:
