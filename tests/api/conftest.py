@@ -1,0 +1,98 @@
+"""Clients of the real application on the rolled-back session of each test."""
+
+from __future__ import annotations
+
+import datetime
+from collections.abc import Callable, Iterator
+from functools import lru_cache
+from pathlib import Path
+
+import pytest
+from fastapi import FastAPI
+from sqlalchemy.orm import Session
+from starlette.testclient import TestClient
+
+from lanewright.api.app import create_app
+from lanewright.api.cross_site import CSRF_HEADER
+from lanewright.api.deps import COOKIE, get_session
+from lanewright.core.workflow import Role
+from lanewright.db.models import Account
+from lanewright.services import sessions
+from lanewright.services.passwords import hash_password
+from lanewright.services.sessions import SessionRules
+from lanewright.settings import Settings
+
+ADDRESS = "http://127.0.0.1"
+PASSWORD = "correct horse battery"
+RULES = SessionRules(idle=datetime.timedelta(hours=12), absolute=datetime.timedelta(days=7), demo_allowed=True)
+
+ClientFor = Callable[..., TestClient]
+AddAccount = Callable[..., Account]
+
+
+@lru_cache(maxsize=1)
+def password_hash() -> str:
+    """One hash for all test people: hashing is slow on purpose."""
+    return hash_password(PASSWORD)
+
+
+@pytest.fixture
+def settings(tmp_path: Path) -> Settings:
+    frontend = tmp_path / "dist"
+    (frontend / "assets").mkdir(parents=True)
+    (frontend / "index.html").write_text("<!doctype html><title>Lanewright</title>")
+    (frontend / "assets" / "index-1a2b.js").write_text("export {}")
+    return Settings(home=tmp_path / "home", frontend=frontend, database_url=None)
+
+
+@pytest.fixture
+def app(session: Session, database_url: str, settings: Settings) -> FastAPI:
+    """The application; a request that fails leaves no trace in the test's transaction, as in life."""
+    application = create_app(settings, database_url)
+
+    def in_a_savepoint() -> Iterator[Session]:
+        with session.begin_nested():
+            yield session
+        session.expire_all()
+
+    application.dependency_overrides[get_session] = in_a_savepoint
+    return application
+
+
+@pytest.fixture
+def anonymous(app: FastAPI) -> Iterator[TestClient]:
+    """A client that nobody has signed in with."""
+    with TestClient(app, base_url=ADDRESS, raise_server_exceptions=False) as client:
+        yield client
+
+
+@pytest.fixture
+def add_account(session: Session) -> AddAccount:
+    """Adds a person: ``add_account(Role.REVIEWER, "rita")``; the name defaults to the role's."""
+
+    def add(role: Role, name: str | None = None) -> Account:
+        account = Account(name=name or role.value, role=role.value, password_hash=password_hash())
+        session.add(account)
+        session.flush()
+        return account
+
+    return add
+
+
+@pytest.fixture
+def client_for(app: FastAPI, session: Session, add_account: AddAccount) -> ClientFor:
+    """A signed-in client: ``client_for(Role.ADMIN)``, or of somebody who exists: ``client_for(account)``.
+
+    ``client.account`` is whose it is. The same person gets a new session at every call.
+    """
+
+    def client(who: Role | Account) -> TestClient:
+        account = add_account(who) if isinstance(who, Role) else who
+        begun = sessions.begin(session, account, RULES)
+        made = TestClient(app, base_url=ADDRESS, raise_server_exceptions=False)
+        made.cookies.set(COOKIE, begun.token)
+        made.headers[CSRF_HEADER] = begun.session.csrf_token
+        made.account = account  # type: ignore[attr-defined]
+        return made
+
+    return client
