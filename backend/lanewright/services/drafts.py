@@ -1,0 +1,73 @@
+"""Drafts on the server: a lost computer loses nothing, and two devices cannot overwrite each other unseen."""
+
+from __future__ import annotations
+
+import datetime
+from typing import Any
+
+from sqlalchemy.orm import Session
+
+from lanewright.core.errors import Conflict, InvalidInput, Place
+from lanewright.db.models import Draft
+from lanewright.db.repositories import drafts
+from lanewright.services.access import own_task, readable_task
+from lanewright.services.actor import Actor
+
+
+def keep_draft(
+    session: Session, actor: Actor, task_id: int, *, base_revision: int, edits: list[Any], seen_version: int
+) -> tuple[int, datetime.datetime]:
+    """Keeps a draft over the version that its writer has seen (0: none); returns the new version and the time.
+
+    Whatever state the task is in: nothing that somebody drew is ever turned away.
+
+    Raises:
+        NotFound, Forbidden: the task is not the actor's.
+        InvalidInput: it claims a base revision that does not exist yet.
+        Conflict: ``draft.newer``, with the draft that another device kept meanwhile.
+    """
+    task = own_task(session, actor, task_id)
+    if base_revision > task.line.head:
+        raise InvalidInput(
+            f"is {base_revision}, but the task's newest revision is {task.line.head}",
+            "Reload the task.",
+            Place(key="base_revision"),
+        )
+    kept = drafts.keep(
+        session,
+        task_id=task_id,
+        account_id=actor.id,
+        base_revision=base_revision,
+        edits=edits,
+        seen_version=seen_version,
+    )
+    if kept is None:
+        newer = drafts.find(session, task_id, actor.id)
+        raise Conflict(
+            "Another window or computer of yours kept a newer draft of this task.",
+            mend="Take over the newer draft, or keep yours instead.",
+            code="draft.newer",
+            draft=None if newer is None else draft_document(newer),
+        )
+    return kept.version, kept.kept_at
+
+
+def find_draft(session: Session, actor: Actor, task_id: int) -> Draft | None:
+    """The actor's own draft in a task that they may read."""
+    return drafts.find(session, task_id, actor.id)
+
+
+def drop_draft(session: Session, actor: Actor, task_id: int) -> None:
+    """Removes the actor's own draft, if there is one. Raises NotFound when the task is none they may know of."""
+    readable_task(session, actor, task_id)
+    drafts.drop(session, task_id, actor.id)
+
+
+def draft_document(draft: Draft) -> dict[str, Any]:
+    """A draft as the API's JSON."""
+    return {
+        "base_revision": draft.base_revision,
+        "edits": draft.edits,
+        "version": draft.version,
+        "kept_at": draft.kept_at.isoformat(),
+    }

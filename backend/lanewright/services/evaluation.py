@@ -1,0 +1,138 @@
+"""One save up to the point of writing: what the edits lead to, and what the engine says of it. The check ends here."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from sqlalchemy.orm import Session
+
+from lanewright.core.attributes import element_attributes
+from lanewright.core.edits import Edit, apply_edits
+from lanewright.core.elements import Element, ElementKey, MapState
+from lanewright.core.elevation import Ground, fill_elevation
+from lanewright.core.errors import Conflict, InvalidInput, Place
+from lanewright.core.restore import restore
+from lanewright.core.rules import check
+from lanewright.core.violations import Violation
+from lanewright.db.models import Task
+from lanewright.db.repositories.elements import StoredMap
+from lanewright.services import line_maps
+from lanewright.services.findings import Findings
+from lanewright.services.ground import ground_of
+from lanewright.services.id_blocks import check_new_ids
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluation:
+    """Edits applied to the head of a task.
+
+    Attributes:
+        base: the map as imported.
+        seen: the map that the editor had before them, at their base revision.
+        head: the map that they now meet.
+        edited: the map that a save would store: heights filled in, sub-tolerance edits taken back.
+        restored: edited elements that went back to the base's exact coordinates.
+    """
+
+    base: StoredMap
+    seen: StoredMap
+    head: StoredMap
+    edited: MapState
+    restored: tuple[ElementKey, ...]
+    findings: Findings
+
+    def introduced(self) -> tuple[Violation, ...]:
+        """The violations that stop a save: errors that neither the base nor the head has already."""
+        blocking = tuple(violation for violation in self.findings.violations if violation.blocks)
+        if not blocking or self.head is self.base:
+            return blocking
+        known = {violation.id for violation in check(self.base.state, self.head.state) if violation.blocks}
+        return tuple(violation for violation in blocking if violation.id not in known)
+
+
+def evaluate(session: Session, task: Task, account_id: int, base_revision: int, edits: Sequence[Edit]) -> Evaluation:
+    """What ``edits``, made on ``base_revision``, lead to at the head of the task.
+
+    Edits of elements that nobody else changed since merge; the same edit made twice counts once.
+
+    Raises:
+        InvalidInput: an edit cannot be applied, names its element twice, or brings in an id that is not the account's.
+        Conflict: ``save.stale``, with base, mine and theirs of every element that was changed by others meanwhile.
+    """
+    head_revision = task.line.head
+    if base_revision > head_revision:
+        raise InvalidInput(
+            f"is {base_revision}, but the task's newest revision is {head_revision}",
+            "Reload the task.",
+            Place(key="base_revision"),
+        )
+    _require_one_edit_each(edits)
+    ground = ground_of(session, task.log_id)
+    base = line_maps.base_map(session, task.line_id)
+    head = line_maps.map_at(session, task.line_id, head_revision, head_revision)
+    seen = head
+    if base_revision != head_revision:
+        seen = line_maps.map_at(session, task.line_id, base_revision, head_revision)
+        edits = _without_settled(edits, seen.state, head.state, head_revision, ground)
+    asked = fill_elevation(apply_edits(head.state, edits, drawn=True), ground)
+    edited = restore(base.state, asked)
+    new = [element for element in edited if element.key not in head.state]
+    check_new_ids(session, task_id=task.id, line_id=task.line_id, account_id=account_id, new=new, base=base.state)
+    restored = tuple(sorted(edit.key for edit in edits if _went_back(edit.key, base.state, asked, edited)))
+    return Evaluation(base, seen, head, edited, restored, Findings(base.state, edited, task.direction))
+
+
+def _require_one_edit_each(edits: Sequence[Edit]) -> None:
+    seen: set[ElementKey] = set()
+    for index, edit in enumerate(edits):
+        if edit.key in seen:
+            raise InvalidInput(
+                "is edited twice in one changeset",
+                "Send one net edit per element.",
+                Place(element=f"{edit.kind.value} {edit.id}", key=f"edits[{index}]"),
+            )
+        seen.add(edit.key)
+
+
+def _without_settled(
+    edits: Sequence[Edit], seen: MapState, head: MapState, head_revision: int, ground: Ground
+) -> list[Edit]:
+    """The edits of elements that are still as the editor saw them; raises Conflict for what others made different."""
+    mine = fill_elevation(apply_edits(seen, edits, drawn=True), ground)
+    conflicts: list[dict[str, Any]] = []
+    open_edits: list[Edit] = []
+    for edit in edits:
+        key = edit.key
+        if seen.get(key) == head.get(key):
+            open_edits.append(edit)
+        elif mine.get(key) != head.get(key):
+            conflicts.append(
+                {
+                    "kind": key.kind,
+                    "id": key.id,
+                    "base": _attributes(seen.get(key)),
+                    "mine": _attributes(mine.get(key)),
+                    "theirs": _attributes(head.get(key)),
+                }
+            )
+    if conflicts:
+        count = "1 element" if len(conflicts) == 1 else f"{len(conflicts)} elements"
+        raise Conflict(
+            f"Somebody saved before you: {count} that you edited changed up to revision {head_revision}.",
+            mend="Choose yours or theirs for each, then save again on the newest revision.",
+            code="save.stale",
+            head=head_revision,
+            conflicts=conflicts,
+        )
+    return open_edits
+
+
+def _attributes(element: Element | None) -> dict[str, Any] | None:
+    return None if element is None else element_attributes(element)
+
+
+def _went_back(key: ElementKey, base: MapState, asked: MapState, edited: MapState) -> bool:
+    known = base.get(key)
+    return known is not None and asked.get(key) != known and edited.get(key) == known
