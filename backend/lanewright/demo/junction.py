@@ -73,7 +73,7 @@ def connectors(junction: Junction, arms: list[Arm], ground: Ground) -> Iterator[
 
 
 def _movements(incoming: Half, outgoing: Half, turn: Turn) -> Iterator[tuple[str, Slot, Slot]]:
-    """Label, source and target lane: through lanes by name, a left turn from the leftmost, a right from the rightmost."""
+    """Label, source and target lane: through by name, a left turn from the leftmost, a right from the rightmost."""
     sources = [slot for slot in incoming.slots if turn in slot.turns]
     if turn is Turn.THROUGH:
         for slot in sources:

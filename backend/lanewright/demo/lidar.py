@@ -17,10 +17,10 @@ from lanewright.demo.paint import Cover, Surface, painted
 from lanewright.demo.path import Array
 from lanewright.demo.scenery import Walls, scenery
 
-SWEEP_EVERY_M = 4.5
+SWEEP_EVERY_M = 5.0
 """A subset of the 10 Hz sweeps is kept: the demo stays small."""
 REACH_M = 70.0
-AZIMUTHS = 760
+AZIMUTHS = 600
 LASERS = 64
 CURB_HEIGHT_M = 0.13
 RANGE_NOISE_M = 0.015
@@ -57,7 +57,7 @@ def sweeps(
         here = poses.positions[row, :2]
         if last is None or np.linalg.norm(here - last) >= SWEEP_EVERY_M:
             last = here
-            yield _sweep(row, poses, surface, walls.near(*here, REACH_M), ground, generator)
+            yield _sweep(row, poses, surface, walls.near(float(here[0]), float(here[1]), REACH_M), ground, generator)
 
 
 def _sweep(
@@ -84,7 +84,9 @@ def _sweep(
         on_wall = (wall_reach < ground_reach) & (above < walls.heights[wall_index]) & (above > 0)
     on_ground = ~on_wall & (ground_reach < REACH_M)
     reach = np.where(on_wall, wall_reach, ground_reach)
-    kept = (on_wall | on_ground) & (generator.random(len(reach)) > 0.02)
+    covers = surface.at(origin[:2] + flat * np.minimum(reach, REACH_M)[:, None])
+    lost = np.where(on_ground & (covers == Cover.GRASS), np.clip(reach / 40, 0.1, 0.9), 0.02)
+    kept = (on_wall | on_ground) & (generator.random(len(reach)) > lost)
     reach, flat, slope, lasers, on_wall = reach[kept], flat[kept], slope[kept], lasers[kept], on_wall[kept]
     noisy = reach + generator.normal(0, RANGE_NOISE_M, len(reach))
     points = np.column_stack([origin[:2] + flat * noisy[:, None], origin[2] + slope * noisy])

@@ -20,7 +20,7 @@ from lanewright.demo.network import draft
 from lanewright.demo.plan import Plan
 from lanewright.demo.scenarios import SCENARIOS, Scenario
 from lanewright.demo.scenarios.scenario import Direction
-from lanewright.demo.surface import drivable_areas, ground_raster, pavement
+from lanewright.demo.surface import drivable_areas, ground_raster, pavement, tiles_near
 from lanewright.demo.writer import (
     write_calibration,
     write_map,
@@ -119,27 +119,24 @@ def _world(scenario: Scenario, generator: np.random.Generator) -> _World:
     label = f"LanewrightDemo{scenario.name.capitalize()}"
     tail = "".join(generator.choice(letters, LOG_ID_LENGTH - len(label)))
     city_number = int(generator.integers(10_000, 99_999))
-    return _World(
-        scenario, f"{label}{tail}__{scenario.season}", city_number, ground, poses, base, changed, generator
-    )
+    return _World(scenario, f"{label}{tail}__{scenario.season}", city_number, ground, poses, base, changed, generator)
 
 
 def _write(world: _World, out_dir: Path) -> DemoLog:
     scenario, log_id, city = world.scenario, world.log_id, world.scenario.city
     folder, changed_path = out_dir / log_id, out_dir / f"{log_id}.changed.json"
-    surface = pavement(scenario.current, world.poses.trajectory)
+    surface = pavement(scenario.current)
+    cropped = surface.intersection(tiles_near(world.poses.trajectory))
     first_area = int(world.generator.integers(1_000_000, 1_900_000))
     areas: list[tuple[int, Line]] = [
-        (first_area + 31 * index, ring) for index, ring in enumerate(drivable_areas(surface, world.ground))
+        (first_area + 31 * index, ring) for index, ring in enumerate(drivable_areas(cropped, world.ground))
     ]
     name = f"log_map_archive_{log_id}____{city}_city_{world.city_number}.json"
     write_map(folder / "map" / name, world.base, areas)
     write_map(changed_path, world.changed, areas)
-    write_raster(folder / "map", log_id, city, *ground_raster(surface, world.ground))
+    write_raster(folder / "map", log_id, city, *ground_raster(cropped, world.ground))
     write_poses(folder, world.poses)
     write_calibration(folder / "calibration")
     for sweep in sweeps(world.current, surface, world.ground, world.poses, world.generator):
         write_sweep(folder / "sensors" / "lidar", sweep.timestamp, sweep.points, sweep.marks)
-    return DemoLog(
-        log_id, city, scenario.split, scenario.direction, world.base, world.changed, folder, changed_path
-    )
+    return DemoLog(log_id, city, scenario.split, scenario.direction, world.base, world.changed, folder, changed_path)

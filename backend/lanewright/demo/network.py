@@ -71,7 +71,7 @@ def _stretches(plan: Plan, road: Road) -> Iterator[_Stretch]:
 
 
 def _reach(plan: Plan, junction: Junction, road: Road) -> float:
-    """Distance from the junction's middle to the stop line: clear of the other road's curbs, and room for a crossing."""
+    """Distance from the junction's middle to the stop line: clear of the other road, with room for a crossing."""
     heading = road.path.heading_at(junction.stations[road.name])
     own = max(road.curb_left, road.curb_right)
     reach = 0.0

@@ -38,6 +38,8 @@ class Cover(IntEnum):
     BLUE = 6
 
 
+Stroke = tuple[shapely.LineString, float, Cover]
+"""Centre line, width and colour of a painted stroke."""
 COLOURS = {"WHITE": Cover.WHITE, "YELLOW": Cover.YELLOW, "BLUE": Cover.BLUE}
 
 
@@ -75,8 +77,7 @@ def painted(state: MapState, pavement: shapely.Geometry, window: tuple[float, fl
     return Surface(origin, np.asarray(image, dtype=np.uint8))
 
 
-def _strokes(state: MapState) -> Iterator[tuple[shapely.LineString, float, Cover]]:
-    """Centre lines, widths and colours of all painted strokes."""
+def _strokes(state: MapState) -> Iterator[Stroke]:
     seen: set[Line] = set()
     for lane in state.lanes.values():
         for line, mark, inner in ((lane.left_boundary, lane.left_mark, -1), (lane.right_boundary, lane.right_mark, 1)):
@@ -95,7 +96,7 @@ def _strokes(state: MapState) -> Iterator[tuple[shapely.LineString, float, Cover
         yield from _bars(zebra)
 
 
-def _mark_strokes(line: shapely.LineString, mark: Mark, inner: int) -> Iterator[tuple[shapely.LineString, float, Cover]]:
+def _mark_strokes(line: shapely.LineString, mark: Mark, inner: int) -> Iterator[Stroke]:
     """Stripes of one line; ``inner`` is the side of the lane that reads the mark (1 = left of the line)."""
     cover = COLOURS[mark.colour]
     words = mark.pattern.split("_")
@@ -113,7 +114,7 @@ def _mark_strokes(line: shapely.LineString, mark: Mark, inner: int) -> Iterator[
                     yield dash, STRIPE_WIDTH, cover
 
 
-def _bars(zebra: PedestrianCrossing) -> Iterator[tuple[shapely.LineString, float, Cover]]:
+def _bars(zebra: PedestrianCrossing) -> Iterator[Stroke]:
     """Bars in driving direction, half a metre apart, from one edge to the other."""
     edge1, edge2 = (np.array([point[:2] for point in edge]) for edge in (zebra.edge1, zebra.edge2))
     count = int(np.linalg.norm(edge1[1] - edge1[0]) / (2 * BAR_M))

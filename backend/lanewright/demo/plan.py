@@ -89,7 +89,8 @@ class Zone:
 class Block:
     """A road between two junctions (or a junction and the end of the path).
 
-    ``cuts`` are distances from the block's start where lanes are cut; a tile cut runs along the 30 m grid nearby.
+    ``cuts`` are distances from the block's start (negative: from its end) where lanes are cut; a tile cut, likewise
+    placed, runs along the nearest line of the 30 m grid.
     """
 
     along: CrossSection
@@ -120,7 +121,7 @@ class Zebra:
 
 @dataclass(frozen=True)
 class Junction:
-    """Where roads meet: station on each road, and crossings by arm, e.g. ``"avenue+"`` (the arm that leaves forward)."""
+    """Where roads meet: station on each road, crossings by arm (``"avenue+"`` is the arm that leaves forward)."""
 
     name: str
     stations: Mapping[str, float]

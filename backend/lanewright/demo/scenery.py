@@ -1,16 +1,18 @@
-"""What stands beside the road: facades with gaps between them, parked cars and poles, as vertical walls."""
+"""What stands beside the road: facades with gaps between them, and poles, as vertical walls."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import shapely
+import shapely.ops
 
 from lanewright.demo.path import Array
 
 FACADE_SETBACK = 6.5
-NARROWEST_GAP = 0.25
+EMPTY_PLOTS = 0.12
 
 
 @dataclass(frozen=True)
@@ -35,8 +37,8 @@ def scenery(pavement: shapely.Geometry, generator: np.random.Generator) -> Walls
         at = 0.0
         while at < ring.length - 4.0:
             length = float(generator.uniform(8, 24))
-            depth, gap = float(generator.uniform(0, 2.5)), float(generator.uniform(0, 7))
-            if generator.random() > NARROWEST_GAP:
+            depth, gap = float(generator.uniform(0, 2.5)), float(generator.uniform(0, 4))
+            if generator.random() > EMPTY_PLOTS:
                 front = shapely.ops.substring(ring, at, min(at + length, ring.length))
                 for first, last in _facade(front, depth):
                     ends.append((*first, *last))
@@ -65,5 +67,5 @@ def _facade(front: shapely.LineString, depth: float) -> list[tuple[tuple[float, 
     pieces = []
     for part in shapely.get_parts(moved):
         points = [(float(x), float(y)) for x, y in shapely.get_coordinates(part)]
-        pieces += list(zip(points[:-1], points[1:], strict=True))
+        pieces += list(pairwise(points))
     return pieces

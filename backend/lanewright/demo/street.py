@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -54,9 +55,9 @@ class _Section:
 def block_lanes(road: Road, index: int, start: float, end: float, ground: Ground) -> list[LaneDraft]:
     """Drafts of one block's lanes between two stations of its road."""
     block = road.blocks[index]
-    lanes = []
+    lanes: list[LaneDraft] = []
     for section in _sections(block, start, end):
-        for piece, (first, last) in enumerate(_pieces(road.path, block, section, start)):
+        for piece, (first, last) in enumerate(_pieces(road.path, block, section, start, end)):
             name = f"{road.name}/{index}/{section.name}.{piece}"
             lanes += _section_lanes(name, road.path, ground, section, first, last)
     return lanes
@@ -83,16 +84,16 @@ def _sections(block: Block, start: float, end: float) -> Iterator[_Section]:
         yield _Section("end", end - zone.storage, end, zone.section, zone.section)
 
 
-def _pieces(path: Path, block: Block, section: _Section, block_start: float) -> Iterator[tuple[Cut, Cut]]:
+def _pieces(path: Path, block: Block, section: _Section, start: float, end: float) -> Iterator[tuple[Cut, Cut]]:
     """Where a section is cut into pieces, from its start to its end."""
     cuts = [Cut(section.start)]
     if section.upstream is section.downstream:
-        wanted = [Cut(block_start + at) for at in block.cuts]
-        wanted += [tile_cut(path, block_start + at) for at in block.tile_cuts]
-        inside = (cut for cut in wanted if section.start + 0.2 < cut.station < section.end - 0.2)
-        cuts += sorted(inside, key=lambda cut: cut.station)
+        wanted = [Cut((start if at >= 0 else end) + at) for at in block.cuts]
+        wanted += [tile_cut(path, start + at) for at in block.tile_cuts]
+        first, last = section.start + SHORTEST_PIECE_M, section.end - SHORTEST_PIECE_M
+        cuts += sorted((cut for cut in wanted if first < cut.station < last), key=lambda cut: cut.station)
     cuts.append(Cut(section.end))
-    yield from zip(cuts[:-1], cuts[1:], strict=True)
+    yield from pairwise(cuts)
 
 
 def tile_cut(path: Path, station: float) -> Cut:

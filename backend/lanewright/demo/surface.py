@@ -10,30 +10,34 @@ import shapely
 from PIL import Image, ImageDraw
 
 from lanewright.core.elements import Line
-from lanewright.demo.crop import REACH_M
 from lanewright.demo.ground import Ground
 from lanewright.demo.plan import Plan
 from lanewright.demo.street import TILE_M
 
 CORNER_RADIUS = 6.0
 CELL_M = 0.3
+LONGEST_AREA_M = 180.0
 MARGIN_M = 5.0
 
 
-def pavement(plan: Plan, trajectory: shapely.LineString) -> shapely.Geometry:
-    """Everything from curb to curb on the 30 m tiles near the drive, corners rounded."""
+AREA_REACH_M = 130.0
+"""Real maps carry drivable areas somewhat beyond their lanes."""
+
+
+def pavement(plan: Plan) -> shapely.Geometry:
+    """Everything from curb to curb, corners rounded."""
     strips = []
     for road in plan.roads.values():
         at = np.append(np.arange(0.0, road.path.length, 2.0), road.path.length)
         left = road.path.points(at, np.full(len(at), road.curb_left))
         right = road.path.points(at, np.full(len(at), -road.curb_right))
         strips.append(shapely.Polygon(np.concatenate([right, left[::-1]])))
-    rounded = shapely.union_all(strips).buffer(CORNER_RADIUS).buffer(-CORNER_RADIUS).simplify(0.03)
-    return rounded.intersection(_tiles(trajectory))
+    return shapely.union_all(strips).buffer(CORNER_RADIUS).buffer(-CORNER_RADIUS).simplify(0.03)
 
 
-def _tiles(trajectory: shapely.LineString) -> shapely.Geometry:
-    reach = trajectory.buffer(REACH_M)
+def tiles_near(trajectory: shapely.LineString) -> shapely.Geometry:
+    """The 30 m tiles that drivable areas are cropped to."""
+    reach = trajectory.buffer(AREA_REACH_M)
     left, bottom, right, top = (int(np.floor(bound / TILE_M)) for bound in reach.bounds)
     tiles = (
         shapely.box(i * TILE_M, j * TILE_M, (i + 1) * TILE_M, (j + 1) * TILE_M)
@@ -44,9 +48,9 @@ def _tiles(trajectory: shapely.LineString) -> shapely.Geometry:
 
 
 def drivable_areas(surface: shapely.Geometry, ground: Ground) -> list[Line]:
-    """Rings of the pavement, open as in the files. The format knows no holes: areas around a block are cut."""
+    """Rings of the pavement, open as in the files. Long areas, and areas around a block, are cut."""
     rings = []
-    for polygon in _without_holes(surface):
+    for polygon in _pieces(surface):
         if polygon.area > 4.0:
             points = shapely.get_coordinates(shapely.orient_polygons(polygon.simplify(0.02)).exterior)[:-1]
             rounded = np.round(points, 2)
@@ -55,17 +59,18 @@ def drivable_areas(surface: shapely.Geometry, ground: Ground) -> list[Line]:
     return rings
 
 
-def _without_holes(surface: shapely.Geometry) -> Iterator[shapely.Polygon]:
+def _pieces(surface: shapely.Geometry) -> Iterator[shapely.Polygon]:
     for polygon in shapely.get_parts(surface):
         if polygon.geom_type != "Polygon":
             continue
-        if not polygon.interiors:
+        left, bottom, right, top = polygon.bounds
+        if not polygon.interiors and right - left <= LONGEST_AREA_M:
             yield polygon
             continue
-        left, bottom, right, top = polygon.bounds
-        cut = round(float(polygon.interiors[0].centroid.x) / TILE_M) * TILE_M
-        yield from _without_holes(polygon.intersection(shapely.box(left, bottom, cut, top)))
-        yield from _without_holes(polygon.intersection(shapely.box(cut, bottom, right, top)))
+        middle = polygon.interiors[0].centroid.x if polygon.interiors else (left + right) / 2
+        cut = round(float(middle) / TILE_M) * TILE_M
+        yield from _pieces(polygon.intersection(shapely.box(left, bottom, cut, top)))
+        yield from _pieces(polygon.intersection(shapely.box(cut, bottom, right, top)))
 
 
 def ground_raster(surface: shapely.Geometry, ground: Ground) -> tuple[npt.NDArray[np.float16], tuple[float, float]]:

@@ -8,9 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from lanewright.core.elements import LaneType, Mark
-from lanewright.demo.path import Bend, Path, crossing_path
+from lanewright.demo.path import Bend, Path, crossing_path, curve
 from lanewright.demo.plan import Block, CrossSection, Half, Junction, Plan, Road, Slot, Turn, Zebra, Zone
-from lanewright.demo.scenarios.scenario import Direction, Scenario, about, bike, half, left_pocket
+from lanewright.demo.scenarios.scenario import LEAD_M, Direction, Scenario, about, bike, every, half, left_pocket
 
 STRAIGHT_ON = Turn.THROUGH | Turn.RIGHT
 CURB = 11.0
@@ -21,7 +21,7 @@ SHIFT = 1.5
 def avenue(generator: np.random.Generator) -> Scenario:
     """Current world: bike lane, bus lane and crossings that the stale map lacks."""
     x, y = generator.uniform(2200, 2600), generator.uniform(3600, 3900)
-    path = Path(x, y, math.radians(generator.uniform(-24, -12)), (Bend(330.0), Bend(100.0, 0.0, 1 / 400)))
+    path = Path(x, y, math.radians(generator.uniform(-24, -12)), (Bend(LEAD_M + 330.0), Bend(180.0, 0.0, 1 / 400)))
     inner, outer = about(generator, 3.2), about(generator, 3.4)
     angle = generator.uniform(82, 98)
     stale, current = (_plan(path, angle, inner, outer, updated=updated) for updated in (False, True))
@@ -34,14 +34,14 @@ def avenue(generator: np.random.Generator) -> Scenario:
         stale=stale,
         current=current,
         route=("avenue/0/along.0/forward/2", "avenue/2/along.0/forward/2"),
-        drive=(50.0, 190.0),
+        drive=(LEAD_M + 40.0, 190.0),
     )
 
 
 def _plan(path: Path, angle: float, inner: float, outer: float, *, updated: bool) -> Plan:
-    first = crossing_path(path, 150.0, angle, 130.0, 150.0)
-    mews = crossing_path(path, 285.0, 90.0, 0.0, 60.0, (Bend(20.0, 0.0, -1 / 45), Bend(20.0, -1 / 45, 0.0), Bend(30.0)))
-    rear = crossing_path(first, 222.0, -90.0, 110.0, 130.0)
+    first = crossing_path(path, LEAD_M + 150.0, angle, LEAD_M + 110.0, 260.0)
+    mews = crossing_path(path, LEAD_M + 285.0, 90.0, 0.0, 28.0, (*curve(-80, 28, 14), Bend(150.0)))
+    rear = crossing_path(first, LEAD_M + 202.0, -90.0, 200.0, 260.0)
     roads = (
         Road("avenue", path, _avenue_blocks(inner, outer, updated=updated), CURB, CURB),
         Road("first", first, _first_blocks(updated=updated), 7.2, 7.2),
@@ -53,9 +53,9 @@ def _plan(path: Path, angle: float, inner: float, outer: float, *, updated: bool
     if updated:
         signal["avenue+"] = Zebra(4.0, 0.9)
     junctions = (
-        Junction("signal", {"avenue": 150.0, "first": 130.0}, signal, 8.0),
-        Junction("mews-end", {"avenue": 285.0, "mews": 0.0}, {} if updated else {"avenue+": Zebra()}, 6.0),
-        Junction("corner", {"first": 222.0, "rear": 110.0}, {"rear-": Zebra(3.0, 0.8)}, 5.0),
+        Junction("signal", {"avenue": LEAD_M + 150.0, "first": LEAD_M + 110.0}, signal, 8.0),
+        Junction("mews-end", {"avenue": LEAD_M + 285.0, "mews": 0.0}, {} if updated else {"avenue+": Zebra()}, 6.0),
+        Junction("corner", {"first": LEAD_M + 202.0, "rear": 200.0}, {"rear-": Zebra(3.0, 0.8)}, 5.0),
     )
     return Plan({road.name: road for road in roads}, junctions)
 
@@ -81,9 +81,9 @@ def _avenue_blocks(inner: float, outer: float, *, updated: bool) -> tuple[Block,
     east = CrossSection(lanes(**bikes, shift=SHIFT), lanes(**bus, pocket=True, near=True, shift=-SHIFT))
     beyond = replace(between, centre=Mark.DOUBLE_SOLID_YELLOW if updated else Mark.DASHED_YELLOW)
     return (
-        Block(before, end=Zone(west, 32.0, 20.0), tile_cuts=(55.0,)),
+        Block(before, end=Zone(west, 32.0, 20.0), tile_cuts=every(70.0, 190.0)),
         Block(between, start=Zone(east, 26.0, 18.0), end=Zone(between, 12.0, 0.0)),
-        Block(beyond, tile_cuts=(40.0,)),
+        Block(beyond, tile_cuts=every(60.0, 200.0)),
     )
 
 
@@ -98,18 +98,18 @@ def _first_blocks(*, updated: bool) -> tuple[Block, ...]:
     north = CrossSection(lane(shift=1.4), lane(pocket=True, shift=-1.4))
     plain = CrossSection(lane(), lane(), Mark.SOLID_DASH_YELLOW if updated else Mark.DOUBLE_SOLID_YELLOW)
     return (
-        Block(plain, end=Zone(south, 24.0, 18.0), tile_cuts=(38.0,)),
-        Block(plain, start=Zone(north, 24.0, 16.0), cuts=(47.6,)),
-        Block(plain, tile_cuts=(30.0,)),
+        Block(plain, end=Zone(south, 24.0, 18.0), tile_cuts=every(60.0, 150.0)),
+        Block(plain, start=Zone(north, 24.0, 16.0), cuts=(-0.32,)),
+        Block(plain, tile_cuts=every(50.0, 140.0)),
     )
 
 
 def _local_block() -> Block:
     section = CrossSection(half(Slot("1", 3.0)), half(Slot("1", 3.0)), Mark.NONE)
-    return Block(section, tile_cuts=(45.0,))
+    return Block(section, tile_cuts=every(60.0, 250.0))
 
 
 def _mews_block() -> Block:
     """Two-way without a centre line: two lanes on the same ground."""
     section = CrossSection(half(Slot("1", 4.6), inner=-2.3), half(Slot("1", 4.6), inner=-2.3), Mark.NONE)
-    return Block(section, tile_cuts=(45.0,))
+    return Block(section, tile_cuts=every(60.0, 250.0))

@@ -40,6 +40,15 @@ class Scenario:
     one_sided: bool = False
 
 
+LEAD_M = 120.0
+"""Roads begin this far before the places that a scenario speaks of: the map is a crop, the world goes on."""
+
+
+def every(spacing: float, length: float) -> tuple[float, ...]:
+    """Places along a long block at which it is cut near the 30 m grid."""
+    return tuple(float(at) for at in np.arange(spacing * 0.6, length, spacing))
+
+
 def about(generator: np.random.Generator, value: float, spread: float = 0.1) -> float:
     """A width near ``value``, to the centimetre."""
     return round(float(generator.uniform(value - spread, value + spread)), 2)
