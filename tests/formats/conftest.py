@@ -9,8 +9,6 @@ from typing import Any
 
 import pytest
 
-REAL_LOGS = Path(__file__).parents[3] / "shared" / "data" / "av2"
-
 #   y
 #   8 +-------------------+   lane 12: oncoming, its left boundary is lane 11's reversed
 #   4 +===================+   shared centre line, SOLID_YELLOW
@@ -75,9 +73,7 @@ def small_map_bytes(small_map: dict[str, Any]) -> bytes:
 
 
 @pytest.fixture(params=["7fab2350-7eaf-3b7e-a39d-6937a4c1bede", "adcf7d18-0510-35b0-a2fa-b4cea13a6d76"])
-def real_log(request: pytest.FixtureRequest) -> Path:
-    """The folder of a real AV2 Sensor log."""
-    folder = REAL_LOGS / request.param
-    if not folder.is_dir():
-        pytest.skip("the real logs are not at ../shared/data/av2")
+def real_log(request: pytest.FixtureRequest, shared_data: Path) -> Path:
+    """The folder of each real AV2 Sensor log in turn."""
+    folder: Path = shared_data / "av2" / request.param
     return folder

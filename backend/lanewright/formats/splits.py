@@ -8,7 +8,7 @@ they make the test set. Source: paper supplement, shared facts §3.2.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
 from types import MappingProxyType
@@ -51,7 +51,7 @@ TbV's test has no rule: its labels are not public."""
 class SourceSplits:
     """Source split by log id."""
 
-    by_log: Mapping[str, Split] = MappingProxyType({})
+    by_log: Mapping[str, Split] = field(default_factory=dict)
 
     def assign(self, log_id: str, *, split: Split | None = None, direction: Direction | None = None) -> Assignment:
         """Place one log; ``split`` (of the release) and ``direction`` are what the caller asks for, if anything.
