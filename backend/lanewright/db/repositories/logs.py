@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from dataclasses import dataclass
 from typing import Any
 
@@ -53,16 +54,10 @@ def insert_log(session: Session, values: dict[str, Any]) -> tuple[Log, Line]:
 
 
 def insert_asset(
-    session: Session,
-    *,
-    log_row_id: int,
-    name: str,
-    media_type: str,
-    body: bytes,
-    sha256: bytes,
-    details: dict[str, Any],
+    session: Session, log_row_id: int, name: str, media_type: str, body: bytes, details: dict[str, Any]
 ) -> None:
     """Keeps a file for a log."""
+    sha256 = hashlib.sha256(body).digest()
     session.execute(
         insert(LogAsset).values(
             log_id=log_row_id, name=name, media_type=media_type, body=body, sha256=sha256, details=details
