@@ -9,8 +9,10 @@ from __future__ import annotations
 from functools import cached_property
 
 from lanewright.core import geometry
+from lanewright.core.claims import NO_CLAIMS, Claims
 from lanewright.core.elements import ElementKey, ElementKind, MapState, PedestrianCrossing
 from lanewright.core.geometry import Shape, distance_m, hausdorff_m, moved, overlap, polygon, readable_element
+from lanewright.core.linework import Linework
 from lanewright.core.roadgraph import FINISH, START, Endpoint, Link, RoadGraph
 from lanewright.core.turns import TurnFunction, same_function, turn_function
 
@@ -23,9 +25,10 @@ SAME_CROSSING_OVERLAP = 0.3
 class Comparison:
     """Base and edited map compared (spec §2: B, E, survivors, deleted, inserted)."""
 
-    def __init__(self, base: MapState, edited: MapState):
+    def __init__(self, base: MapState, edited: MapState, claims: Claims = NO_CLAIMS):
         self.base = base
         self.edited = edited
+        self.claims = claims
         self._moved: dict[int, tuple[bool, bool]] = {}
         self._polygons: dict[tuple[bool, ElementKey], Shape] = {}
         self._functions: dict[tuple[bool, int], TurnFunction | None] = {}
@@ -37,6 +40,11 @@ class Comparison:
     @cached_property
     def edited_graph(self) -> RoadGraph:
         return RoadGraph.of(self.edited)
+
+    @cached_property
+    def edited_linework(self) -> Linework:
+        """The boundaries of the edited map as arrays."""
+        return Linework(self.edited.lanes)
 
     @cached_property
     def surviving_lanes(self) -> frozenset[int]:
@@ -85,6 +93,14 @@ class Comparison:
                 if (known := base.get(key)) is not None and known is not crossing and known != crossing
             )
         )
+
+    @cached_property
+    def inverse(self) -> Comparison:
+        """The same two maps, told the other way round."""
+        inverse = Comparison(self.edited, self.base)
+        inverse.base_graph, inverse.edited_graph = self.edited_graph, self.base_graph
+        inverse._moved = self._moved
+        return inverse
 
     def moved_sides(self, lane: int) -> tuple[bool, bool]:
         """Whether the left and the right boundary of a surviving lane moved."""

@@ -6,7 +6,7 @@ import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from lanewright.core.elements import Element, LaneSegment, Line, MapState
+from lanewright.core.elements import Element, ElementKey, LaneSegment, Line, MapState
 from lanewright.core.geometry import same_plan
 
 
@@ -153,3 +153,14 @@ def without_link(lanes: Mapping[int, LaneSegment], link: tuple[int, int]) -> lis
         fields: dict[str, Any] = {name: tuple(named for named in getattr(lane, name) if named != other)}
         updated[key] = dataclasses.replace(lane, **fields)
     return list(updated.values())
+
+
+def fresh_id(states: Iterable[MapState], also_taken: Iterable[ElementKey] = ()) -> int:
+    """The smallest id above all that the maps have or name, and above the others given."""
+    taken = {key.id for key in also_taken}
+    for state in states:
+        taken.update(state.crossings)
+        for lane in state.lanes.values():
+            taken.update((lane.id, *lane.successors, *lane.predecessors))
+            taken.update(other for other in (lane.left_neighbor_id, lane.right_neighbor_id) if other is not None)
+    return max(taken, default=0) + 1

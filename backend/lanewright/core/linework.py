@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 from itertools import chain
 
 import numpy as np
@@ -11,59 +12,117 @@ import shapely
 
 from lanewright.core.elements import LaneSegment, Line
 
+NARROWEST_M = 0.3
+WIDEST_M = 15.0
+"""A lane's mean width lies between these (spec §5)."""
 Floats = npt.NDArray[np.float64]
 Flags = npt.NDArray[np.bool_]
 Counts = npt.NDArray[np.int64]
 
 
-def doubtful_lanes(lanes: Mapping[int, LaneSegment]) -> tuple[int, ...]:
-    """Ids of lanes whose geometry is not clearly sound, ascending.
+class Linework:
+    """The boundaries of all lanes of a map.
 
-    Sound: two or more finite points a side, no point twice in a row, no side crossing itself or meeting the other,
-    left on the left, between 0.3 m and 15 m wide on average.
+    Attributes:
+        ids: lane ids, shape (n,), in the map's order.
+        readable: whether both sides of each lane have two or more finite points, shape (n,). All other arrays hold
+            the readable lanes only, in the same order: m of them.
     """
-    ids = np.fromiter(lanes, dtype=np.int64, count=len(lanes))
-    if not len(ids):
-        return ()
-    sides = [lane.left_boundary for lane in lanes.values()] + [lane.right_boundary for lane in lanes.values()]
-    doubtful = _unsound(sides)
-    return tuple(sorted(int(key) for key in ids[doubtful]))
+
+    def __init__(self, lanes: Mapping[int, LaneSegment]):
+        self.ids = np.fromiter(lanes, dtype=np.int64, count=len(lanes))
+        sides = [lane.left_boundary for lane in lanes.values()] + [lane.right_boundary for lane in lanes.values()]
+        counts, points = _flat(sides)
+        half = len(lanes)
+        bad: Flags = (counts < 2) | ~_every(np.isfinite(points[:, 0]) & np.isfinite(points[:, 1]), counts)
+        self.readable: Flags = ~(bad[:half] | bad[half:])
+        if not self.readable.all():
+            keep = np.tile(self.readable, 2)
+            counts, points = _flat([line for line, kept in zip(sides, keep, strict=True) if kept])
+        self._counts, self._points = counts, points
+        self._half = len(counts) // 2
+        self._starts = np.concatenate([[0], np.cumsum(counts)[:-1]]).astype(np.int64)
+        self._owner = np.repeat(np.arange(len(counts)), counts)
+        self._within = np.ones(max(len(points) - 1, 0), dtype=bool)
+        self._within[self._starts[1:] - 1] = False
+
+    def doubtful(self) -> tuple[int, ...]:
+        """Ids of lanes whose geometry is not clearly sound, ascending.
+
+        Sound: no point twice in a row, no side crossing itself or meeting the other, left on the left, between 0.3 m
+        and 15 m wide on average.
+        """
+        bad = ~self.readable
+        if self._half:
+            bad[self.readable] = self._unsound()
+        return tuple(sorted(int(key) for key in self.ids[bad]))
+
+    def _unsound(self) -> Flags:
+        half = self._half
+        repeated = np.bincount(self._owner[:-1][self._within & (self._steps == 0)], minlength=2 * half) > 0
+        with np.errstate(divide="ignore", invalid="ignore"):
+            width = self.area_m2 / self.mean_length_m
+        lines = shapely.linestrings(self._points, indices=self._owner)
+        side = repeated | ~shapely.is_simple(lines)
+        met = shapely.intersects(lines[:half], lines[half:])
+        unsound: Flags = side[:half] | side[half:] | met | ~((width >= NARROWEST_M) & (width <= WIDEST_M))
+        return unsound
+
+    @cached_property
+    def _steps(self) -> Floats:
+        """Length from each point to the next, 0 between lines."""
+        return np.where(self._within, np.hypot(*np.diff(self._points, axis=0).T), 0.0)
+
+    @cached_property
+    def mean_length_m(self) -> Floats:
+        """Mean of the lengths of left and right, shape (m,)."""
+        length = np.bincount(self._owner[:-1], weights=self._steps, minlength=2 * self._half)
+        return (length[: self._half] + length[self._half :]) / 2
+
+    @cached_property
+    def area_m2(self) -> Floats:
+        """Signed area, right boundary plus reversed left: positive with left on the left; shape (m,).
+
+        Relative to each lane's first left point, so that city coordinates of kilometres lose no digits.
+        """
+        half, starts = self._half, self._starts
+        local = self._points - self._points[starts[:half]][self._owner % half]
+        x, y = local.T
+        cross = np.where(self._within, x[:-1] * y[1:] - x[1:] * y[:-1], 0.0)
+        swept = np.bincount(self._owner[:-1], weights=cross, minlength=2 * half)
+        first, last = local[starts], local[starts + self._counts - 1]
+        left, right = slice(0, half), slice(half, None)
+        closing = _cross(last[right], last[left]) + _cross(first[left], first[right])
+        area: Floats = (swept[right] - swept[left] + closing) / 2
+        return area
+
+    @cached_property
+    def bounds(self) -> Floats:
+        """Smallest x, y and largest x, y of each lane, shape (m, 4)."""
+        low = np.minimum.reduceat(self._points, self._starts)
+        high = np.maximum.reduceat(self._points, self._starts)
+        half = self._half
+        return np.hstack([np.minimum(low[:half], low[half:]), np.maximum(high[:half], high[half:])])
+
+    def like(self, lane: int) -> tuple[int, ...]:
+        """Ids of readable lanes that may cover the same ground as this one: boxes overlap, areas agree to a tenth."""
+        ids = self.ids[self.readable]
+        at = np.flatnonzero(ids == lane)
+        if not len(at):
+            return ()
+        box, area = self.bounds[at[0]], np.abs(self.area_m2)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            alike = np.minimum(area, area[at[0]]) >= 0.85 * np.maximum(area, area[at[0]])
+        apart = (self.bounds[:, :2] > box[2:]).any(axis=1) | (self.bounds[:, 2:] < box[:2]).any(axis=1)
+        return tuple(int(key) for key in ids[alike & ~apart] if key != lane)
 
 
-def _unsound(sides: list[Line]) -> Flags:
-    """Which lanes are not clearly sound; ``sides`` holds all left boundaries, then all right ones."""
-    half = len(sides) // 2
-    counts = np.fromiter(map(len, sides), dtype=np.int64, count=len(sides))
-    points = plans(sides, int(counts.sum()))
-    bad: Flags = (counts < 2) | ~_every(np.isfinite(points[:, 0]) & np.isfinite(points[:, 1]), counts)
-    unreadable: Flags = bad[:half] | bad[half:]
-    if unreadable.any():
-        kept = [line for line, keep in zip(sides, np.tile(~unreadable, 2), strict=True) if keep]
-        unreadable[~unreadable] = _unsound(kept) if kept else False
-        return unreadable
-    starts = np.concatenate([[0], np.cumsum(counts)[:-1]])
-    steps = np.diff(points, axis=0)
-    within = np.ones(len(steps), dtype=bool)
-    within[starts[1:] - 1] = False
-    lengths = np.where(within, np.hypot(*steps.T), 0.0)
-    owner = np.repeat(np.arange(len(sides)), counts)
-    repeated = np.bincount(owner[:-1][within & (lengths == 0)], minlength=len(sides)) > 0
-    length = np.bincount(owner[:-1], weights=lengths, minlength=len(sides))
-    area = _area(points, counts, starts, owner, within, half)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        width = 2 * area / (length[:half] + length[half:])
-    lines = shapely.linestrings(points, indices=owner)
-    crossed = ~shapely.is_simple(lines)
-    met = shapely.intersects(lines[:half], lines[half:])
-    side = repeated | crossed
-    unsound: Flags = side[:half] | side[half:] | met | ~((width >= 0.3) & (width <= 15.0))
-    return unsound
-
-
-def plans(lines: list[Line], count: int) -> Floats:
-    """The points of many lines in the plane, one after the other, shape (count, 2)."""
-    flat = np.fromiter(chain.from_iterable(chain.from_iterable(lines)), dtype=np.float64, count=3 * count)
-    return flat.reshape(-1, 3)[:, :2]
+def _flat(lines: list[Line]) -> tuple[Counts, Floats]:
+    """How many points each line has, and all points in the plane one after the other, shape (sum, 2)."""
+    counts = np.fromiter(map(len, lines), dtype=np.int64, count=len(lines))
+    total = 3 * int(counts.sum())
+    flat = np.fromiter(chain.from_iterable(chain.from_iterable(lines)), dtype=np.float64, count=total)
+    return counts, flat.reshape(-1, 3)[:, :2]
 
 
 def _every(flags: Flags, counts: Counts) -> Flags:
@@ -71,23 +130,6 @@ def _every(flags: Flags, counts: Counts) -> Flags:
     owner = np.repeat(np.arange(len(counts)), counts)
     failed: Flags = np.bincount(owner[~flags], minlength=len(counts)) == 0
     return failed
-
-
-def _area(points: Floats, counts: Counts, starts: Counts, owner: Counts, within: Flags, half: int) -> Floats:
-    """Signed area of each lane, right boundary plus reversed left: positive with left on the left.
-
-    Relative to each lane's first left point, so that city coordinates of kilometres lose no digits.
-    """
-    origin = points[starts[:half]]
-    local = points - origin[owner % half]
-    x, y = local.T
-    cross = np.where(within, x[:-1] * y[1:] - x[1:] * y[:-1], 0.0)
-    swept = np.bincount(owner[:-1], weights=cross, minlength=2 * half)
-    first, last = local[starts], local[starts + counts - 1]
-    left, right = slice(0, half), slice(half, None)
-    closing = _cross(last[right], last[left]) + _cross(first[left], first[right])
-    area: Floats = (swept[right] - swept[left] + closing) / 2
-    return area
 
 
 def _cross(one: Floats, other: Floats) -> Floats:

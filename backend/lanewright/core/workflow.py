@@ -45,7 +45,7 @@ class Transition:
     """One allowed step.
 
     ``roles`` may take it whoever they are to the task; ``assignee`` says that the task's assignee may too.
-    ``independent``: nobody who saved a changeset in the task may take it.
+    ``independent``: nobody who saved a changeset in the task, or submitted it, may take it.
     """
 
     action: Action
@@ -85,7 +85,7 @@ TRANSITIONS: tuple[Transition, ...] = (
 
 @dataclass(frozen=True, slots=True)
 class Standing:
-    """Who the actor is to the task: role, whether assigned to it, whether they saved a changeset in it."""
+    """Who the actor is to the task: role, whether its assignee, whether they saved a changeset in it or submitted it."""
 
     role: Role
     is_assignee: bool
@@ -124,7 +124,7 @@ def transition(
         )
     if step.independent and standing.is_author:
         raise Forbidden(
-            "You saved changes in this task, so somebody else must review it.",
+            "You saved changes in this task or submitted it, so somebody else must review it.",
             mend="Leave it in the queue for another reviewer.",
             code="task.own_work",
         )

@@ -5,24 +5,56 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Iterable
 
+from lanewright.core.claims import NO_CLAIMS, Claims
 from lanewright.core.comparison import Comparison
 from lanewright.core.edits import edits_between
 from lanewright.core.elements import MapState
-from lanewright.core.rules import geometry_invalid, link_gap, replacement_unjustified
+from lanewright.core.rules import (
+    change_exclusive,
+    deletion_not_rightmost,
+    element_duplicate,
+    geometry_invalid,
+    identity_displaced,
+    identity_rerouted,
+    identity_reused,
+    insertion_not_rightmost,
+    link_dangling,
+    link_gap,
+    link_one_sided,
+    macro_mismatch,
+    neighbor_inconsistent,
+    replacement_function_preserved,
+    replacement_unjustified,
+)
 from lanewright.core.rules.rule import Rule
 from lanewright.core.violations import Fix, Violation
 
 RULES: tuple[Rule, ...] = (
     replacement_unjustified.RULE,
+    replacement_function_preserved.RULE,
+    identity_rerouted.RULE,
+    identity_displaced.RULE,
+    insertion_not_rightmost.RULE,
+    deletion_not_rightmost.RULE,
+    element_duplicate.RULE,
+    change_exclusive.RULE,
+    identity_reused.RULE,
+    macro_mismatch.RULE,
     geometry_invalid.RULE,
+    link_dangling.RULE,
+    link_one_sided.RULE,
     link_gap.RULE,
+    neighbor_inconsistent.RULE,
 )
 _RULE = {rule.code: rule for rule in RULES}
 
 
-def check(base: MapState, edited: MapState) -> tuple[Violation, ...]:
-    """All violations of the edited map against its base, by id; inherited ones are marked and never block."""
-    return check_of(Comparison(base, edited))
+def check(base: MapState, edited: MapState, claims: Claims = NO_CLAIMS) -> tuple[Violation, ...]:
+    """All violations of the edited map against its base, by id; inherited ones are marked and never block.
+
+    ``claims``: what others say of the update (retired ids, declared macros, foreign categories), checked along.
+    """
+    return check_of(Comparison(base, edited, claims))
 
 
 def check_of(comparison: Comparison) -> tuple[Violation, ...]:
@@ -42,7 +74,7 @@ def _fixes(comparison: Comparison, violation: Violation, found: tuple[Violation,
     known = {other.id for other in found if not other.inherited}
     second: tuple[Fix, ...] = ()
     for remedy in _RULE[violation.code].remedies(comparison, violation):
-        left = findings(Comparison(comparison.base, remedy.edited))
+        left = findings(Comparison(comparison.base, remedy.edited, comparison.claims))
         if any(other.id == violation.id for other in left):
             continue
         fix = Fix(remedy.title, edits_between(comparison.edited, remedy.edited))
@@ -63,8 +95,14 @@ def _standing(found: Iterable[Violation]) -> list[Violation]:
 
 
 def _silences(other: Violation, violation: Violation, codes: tuple[str, ...]) -> bool:
-    return (
-        other.kind is violation.kind
-        and any(other.code == code or (code.endswith(".") and other.code.startswith(code)) for code in codes)
-        and set(violation.elements) <= set(other.elements)
-    )
+    """Whether another violation tells the same defect: on the same elements, a part of them, or for duplicates any."""
+    if other.kind is not violation.kind or not any(
+        other.code == code or (code.endswith(".") and other.code.startswith(code)) for code in codes
+    ):
+        return False
+    mine, theirs = set(violation.elements), set(other.elements)
+    if violation.code == element_duplicate.CODE:
+        return not mine.isdisjoint(theirs)
+    if violation.code == replacement_function_preserved.CODE:
+        return theirs <= mine
+    return mine <= theirs

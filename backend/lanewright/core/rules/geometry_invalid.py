@@ -12,13 +12,11 @@ import shapely
 from lanewright.core.comparison import Comparison
 from lanewright.core.elements import Element, LaneSegment, Line, MapState, PedestrianCrossing
 from lanewright.core.geometry import Plan, length_m, lines_of, plan, same_plan
-from lanewright.core.linework import doubtful_lanes
+from lanewright.core.linework import NARROWEST_M, WIDEST_M
 from lanewright.core.rules.rule import Rule, no_remedies
 from lanewright.core.violations import Severity, Violation
 
 CODE = "geometry.invalid"
-NARROWEST_M = 0.3
-WIDEST_M = 15.0
 
 Defect = tuple[str, tuple[int, ...]]
 """What is wrong, in words, and which of the two lines it is about."""
@@ -27,7 +25,7 @@ Defect = tuple[str, tuple[int, ...]]
 def find(comparison: Comparison) -> Iterator[Violation]:
     """Violations for every element of the edited map that has a defect."""
     edited = comparison.edited
-    for key in doubtful_lanes(edited.lanes):
+    for key in comparison.edited_linework.doubtful():
         yield from _violation(comparison.base, edited.lanes[key], "Lane")
     for crossing in edited.crossings.values():
         yield from _violation(comparison.base, crossing, "Crossing")

@@ -14,6 +14,8 @@ from lanewright.core.wording import lanes_named
 
 def identity_remedies(comparison: Comparison, violation: Violation) -> Iterator[Remedy]:
     """The inserted elements take the ids of the deleted ones whose place they have."""
+    if not violation.code.startswith("replacement."):
+        return
     if violation.kind is ElementKind.PEDESTRIAN_CROSSING:
         was, now = sorted(violation.elements, key=lambda key: key in comparison.inserted_crossings)
         yield Remedy(f"Edit crossing {was} in place", renamed(comparison.edited, {}, {now: was}))

@@ -1,0 +1,73 @@
+"""``link.one_sided``: a link written on one side, in a map that writes all of them on both (spec §5)."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterator
+
+from lanewright.core.comparison import Comparison
+from lanewright.core.elements import ElementKind, MapState
+from lanewright.core.roadgraph import Link
+from lanewright.core.rules.rule import Remedy, Rule
+from lanewright.core.violations import Severity, Violation
+
+CODE = "link.one_sided"
+
+
+def find(comparison: Comparison) -> Iterator[Violation]:
+    """Violations for each link of the edited map that one side alone writes, if the base has none such."""
+    halves = list(one_sided_links(comparison.edited))
+    if not halves or next(one_sided_links(comparison.base), None) is not None:
+        return
+    for upstream, downstream in sorted(halves):
+        says, silent = (
+            (upstream, downstream)
+            if downstream in comparison.edited.lanes[upstream].successors
+            else (downstream, upstream)
+        )
+        yield Violation(
+            CODE,
+            Severity.ERROR,
+            ElementKind.LANE_SEGMENT,
+            tuple(sorted((upstream, downstream))),
+            f"Lane {upstream} leads to lane {downstream}, but only lane {says} says so: name it in lane {silent} too.",
+        )
+
+
+def one_sided_links(state: MapState) -> Iterator[Link]:
+    """Links between lanes of the map that one side alone writes."""
+    lanes = state.lanes
+    for key, lane in lanes.items():
+        for other in lane.successors:
+            if other in lanes and key not in lanes[other].predecessors:
+                yield key, other
+        for other in lane.predecessors:
+            if other in lanes and key not in lanes[other].successors:
+                yield other, key
+
+
+def remedies(comparison: Comparison, violation: Violation) -> Iterator[Remedy]:
+    """Write the link on the other side too."""
+    chosen = set(violation.elements)
+    lanes = dict(comparison.edited.lanes)
+    for upstream, downstream in one_sided_links(comparison.edited):
+        if {upstream, downstream} == chosen:
+            before, after = lanes[upstream], lanes[downstream]
+            if downstream not in before.successors:
+                lanes[upstream] = dataclasses.replace(before, successors=(*before.successors, downstream))
+            after = lanes[downstream]
+            if upstream not in after.predecessors:
+                lanes[downstream] = dataclasses.replace(after, predecessors=(*after.predecessors, upstream))
+    yield Remedy("Write the link on both sides", comparison.edited.replaced([lanes[key] for key in chosen]))
+
+
+RULE = Rule(
+    code=CODE,
+    find=find,
+    remedies=remedies,
+    what="A link is written by one of its two lanes only, although the base map writes every link on both sides.",
+    why="Some real maps list predecessors incompletely, so a link counts when either side says so. In a map that is "
+    "complete, one side alone is an oversight, and readers that look at the other side would miss the road (B).",
+    mend="Add the missing id on the other side. The fix does.",
+    gives_way_to=("replacement.", "identity.", "insertion.", "deletion."),
+)
