@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from lanewright.core.elements import Line, MapState
+from lanewright.core.workflow import Direction
 from lanewright.demo.assembly import Names, assemble
 from lanewright.demo.crop import crop
 from lanewright.demo.drive import Poses, drive, route
@@ -19,7 +20,6 @@ from lanewright.demo.lidar import sweeps
 from lanewright.demo.network import draft
 from lanewright.demo.plan import Plan
 from lanewright.demo.scenarios import SCENARIOS, Scenario
-from lanewright.demo.scenarios.scenario import Direction
 from lanewright.demo.surface import drivable_areas, ground_raster, pavement, tiles_near
 from lanewright.demo.writer import (
     write_calibration,
@@ -39,11 +39,13 @@ class DemoLog:
     Attributes:
         base: the map on disk: stale if the direction is ``prior_to_current``, else the current world.
         changed: the other map, written beside the folder.
+        source_split: where it would stand in TbV (its train maps are up to date, its val maps stale).
         split: release split, ``train``, ``val`` or ``test``.
     """
 
     log_id: str
     city: str
+    source_split: str
     split: str
     direction: Direction
     base: MapState
@@ -76,25 +78,33 @@ def demo_maps(seed: int, logs: int = len(SCENARIOS)) -> list[tuple[MapState, Map
 
 
 def generate(seed: int, out_dir: Path, logs: int = len(SCENARIOS)) -> list[DemoLog]:
-    """Write demo logs and ``demo.json`` below ``out_dir``; the same seed gives the same bytes.
+    """Write demo logs below ``out_dir``, ``demo.json`` and ``splits.json``; the same seed gives the same bytes.
 
     Raises:
         OSError: the folder cannot be written.
     """
     out_dir.mkdir(parents=True, exist_ok=True)
     written = [_write(world, out_dir) for world in _worlds(seed, logs)]
+    _write_lists(seed, written, out_dir)
+    return written
+
+
+def _write_lists(seed: int, logs: list[DemoLog], out_dir: Path) -> None:
+    """``demo.json`` says all about each log; ``splits.json`` has the shape of TbV's list of source splits."""
     contents = [
         {
             "log_id": log.log_id,
             "city": log.city,
+            "source_split": log.source_split,
             "split": log.split,
             "direction": log.direction.value,
             "changed": log.changed_path.name,
         }
-        for log in written
+        for log in logs
     ]
-    (out_dir / "demo.json").write_text(json.dumps({"seed": seed, "logs": contents}, indent=1) + "\n", encoding="utf-8")
-    return written
+    splits = {name: [log.log_id for log in logs if log.source_split == name] for name in ("train", "val", "test")}
+    for name, value in (("splits.json", splits), ("demo.json", {"seed": seed, "logs": contents})):
+        (out_dir / name).write_text(json.dumps(value, indent=1) + "\n", encoding="utf-8")
 
 
 def _worlds(seed: int, logs: int) -> Iterator[_World]:
@@ -139,4 +149,14 @@ def _write(world: _World, out_dir: Path) -> DemoLog:
     write_calibration(folder / "calibration")
     for sweep in sweeps(world.current, surface, world.ground, world.poses, world.generator):
         write_sweep(folder / "sensors" / "lidar", sweep.timestamp, sweep.points, sweep.marks)
-    return DemoLog(log_id, city, scenario.split, scenario.direction, world.base, world.changed, folder, changed_path)
+    return DemoLog(
+        log_id,
+        city,
+        scenario.source_split,
+        scenario.split,
+        scenario.direction,
+        world.base,
+        world.changed,
+        folder,
+        changed_path,
+    )

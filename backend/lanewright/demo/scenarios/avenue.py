@@ -8,9 +8,10 @@ from dataclasses import replace
 import numpy as np
 
 from lanewright.core.elements import LaneType, Mark
+from lanewright.core.workflow import Direction
 from lanewright.demo.path import Bend, Path, crossing_path, curve
 from lanewright.demo.plan import Block, CrossSection, Half, Junction, Plan, Road, Slot, Turn, Zebra, Zone
-from lanewright.demo.scenarios.scenario import LEAD_M, Direction, Scenario, about, bike, every, half, left_pocket
+from lanewright.demo.scenarios.scenario import LEAD_M, Scenario, about, bike, every, half, left_pocket
 
 STRAIGHT_ON = Turn.THROUGH | Turn.RIGHT
 CURB = 11.0
@@ -29,6 +30,7 @@ def avenue(generator: np.random.Generator) -> Scenario:
         name="avenue",
         city="WDC",
         season="Autumn_2021",
+        source_split="train",
         split="val",
         direction=Direction.CURRENT_TO_PRIOR,
         stale=stale,
@@ -65,11 +67,11 @@ def _avenue_blocks(inner: float, outer: float, *, updated: bool) -> tuple[Block,
         line = Mark.SOLID_WHITE if near else Mark.DASHED_WHITE
         second = Slot("2", outer, Mark.NONE, turns=STRAIGHT_ON)
         if bikes:
-            second = replace(second, width=outer - 0.3, outer=Mark.SOLID_WHITE)
+            second = replace(second, width=outer - 0.4, outer=Mark.SOLID_WHITE)
         if bus:
             line = Mark.SOLID_DASH_WHITE if near else Mark.SOLID_WHITE
             second = replace(second, lane_type=LaneType.BUS)
-        first = Slot("1", inner - (0.2 if bikes else 0.0), line, turns=STRAIGHT_ON if pocket else Turn.ANY)
+        first = Slot("1", inner, line, turns=STRAIGHT_ON if pocket else Turn.ANY)
         slots = [left_pocket()] if pocket else []
         return half(*slots, first, second, *([bike()] if bikes else []), inner=shift)
 
@@ -96,10 +98,11 @@ def _first_blocks(*, updated: bool) -> tuple[Block, ...]:
 
     south = CrossSection(lane(pocket=True, shift=-1.4, right=turns), lane(shift=1.4))
     north = CrossSection(lane(shift=1.4), lane(pocket=True, shift=-1.4))
-    plain = CrossSection(lane(), lane(), Mark.SOLID_DASH_YELLOW if updated else Mark.DOUBLE_SOLID_YELLOW)
+    plain = CrossSection(lane(), lane())
+    beyond = CrossSection(lane(), lane(), Mark.SOLID_DASH_YELLOW if updated else Mark.DOUBLE_SOLID_YELLOW)
     return (
         Block(plain, end=Zone(south, 24.0, 18.0), tile_cuts=every(60.0, 150.0)),
-        Block(plain, start=Zone(north, 24.0, 16.0), cuts=(-0.32,)),
+        Block(beyond, start=Zone(north, 24.0, 16.0), cuts=(-0.32,)),
         Block(plain, tile_cuts=every(50.0, 140.0)),
     )
 

@@ -8,9 +8,10 @@ from dataclasses import replace
 import numpy as np
 
 from lanewright.core.elements import LaneType, Mark
+from lanewright.core.workflow import Direction
 from lanewright.demo.path import Bend, Path, crossing_path, curve
 from lanewright.demo.plan import Block, CrossSection, Half, Junction, Plan, Road, Slot, Turn, Zebra, Zone
-from lanewright.demo.scenarios.scenario import LEAD_M, Direction, Scenario, about, bike, every, half, left_pocket
+from lanewright.demo.scenarios.scenario import LEAD_M, Scenario, about, bike, every, half, left_pocket
 
 CURB = 13.4
 MEDIAN_HALF = 2.0
@@ -28,6 +29,7 @@ def boulevard(generator: np.random.Generator) -> Scenario:
         name="boulevard",
         city="MIA",
         season="Winter_2021",
+        source_split="val",
         split="test",
         direction=Direction.PRIOR_TO_CURRENT,
         stale=stale,
@@ -58,14 +60,13 @@ def _plan(path: Path, angle: float, lane: float, *, updated: bool) -> Plan:
 
 
 def _boulevard_blocks(lane: float, *, updated: bool) -> tuple[Block, ...]:
-    width = lane - 0.25 if updated else lane
     through = Turn.THROUGH
 
     def east(*, pocket: bool = False, near: bool = False) -> Half:
         """Three lanes, the outer one for buses since the update; a pocket in the median."""
         line = Mark.SOLID_WHITE if near else Mark.DASHED_WHITE
-        first = Slot("1", width, line, turns=through if pocket else Turn.LEFT | through)
-        second = Slot("2", width, Mark.DASH_SOLID_WHITE if updated else line, turns=through)
+        first = Slot("1", lane, line, turns=through if pocket else Turn.LEFT | through)
+        second = Slot("2", lane, Mark.DASH_SOLID_WHITE if updated else line, turns=through)
         third = Slot("3", lane + 0.1, turns=through | Turn.RIGHT)
         if updated:
             third = replace(third, lane_type=LaneType.BUS)
@@ -75,12 +76,14 @@ def _boulevard_blocks(lane: float, *, updated: bool) -> tuple[Block, ...]:
     def west(*, near: bool = False, right: bool = True) -> Half:
         """Three lanes, and a bike lane behind a double line since the update."""
         line = Mark.SOLID_WHITE if near else Mark.DASHED_WHITE
-        first = Slot("1", width, line, turns=Turn.LEFT | through)
-        third = Slot("3", lane, turns=through | Turn.RIGHT if right else through)
-        lanes = (first, Slot("2", width, line, turns=through), third)
+        first = Slot("1", lane, line, turns=Turn.LEFT | through)
+        third = Slot("3", lane + 0.3, turns=through | Turn.RIGHT if right else through)
+        lanes = (first, Slot("2", lane, line, turns=through), third)
         if not updated:
             return half(*lanes, inner=MEDIAN_HALF)
-        return half(*lanes[:2], replace(third, outer=Mark.DOUBLE_SOLID_WHITE), bike(1.8), inner=MEDIAN_HALF)
+        return half(
+            *lanes[:2], replace(third, width=lane - 0.2, outer=Mark.DOUBLE_SOLID_WHITE), bike(1.8), inner=MEDIAN_HALF
+        )
 
     yellow = Mark.SOLID_YELLOW
     plain = CrossSection(east(), west(), yellow)

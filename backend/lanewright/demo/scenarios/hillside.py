@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
 from lanewright.core.elements import LaneType, Mark
+from lanewright.core.workflow import Direction
 from lanewright.demo.path import Bend, Path, crossing_path, curve
 from lanewright.demo.plan import Block, CrossSection, Junction, Plan, Road, Slot, Turn, Zebra, Zone
-from lanewright.demo.scenarios.scenario import LEAD_M, Direction, Scenario, about, every, half
+from lanewright.demo.scenarios.scenario import LEAD_M, Scenario, about, every, half
 
 RIDGE_BEFORE_M = 200.0
 
@@ -27,6 +29,7 @@ def hillside(generator: np.random.Generator) -> Scenario:
         name="hillside",
         city="PIT",
         season="Spring_2020",
+        source_split="train",
         split="train",
         direction=Direction.CURRENT_TO_PRIOR,
         stale=stale,
@@ -98,6 +101,7 @@ def _court_block() -> Block:
 
 
 def _ridge_block(*, narrow: bool) -> Block:
-    """One lane each way with room to park; overtaking is allowed downhill only. Edge lines narrow it in the update."""
+    """One lane each way with room to park; edge lines narrow it in the update, and a right turn goes."""
     lane = Slot("1", 2.95, Mark.SOLID_WHITE) if narrow else Slot("1", 3.3)
-    return Block(CrossSection(half(lane), half(lane), Mark.SOLID_DASH_YELLOW), tile_cuts=every(60.0, 190.0))
+    towards = replace(lane, turns=Turn.LEFT | Turn.THROUGH) if narrow else lane
+    return Block(CrossSection(half(towards), half(lane), Mark.SOLID_DASH_YELLOW), tile_cuts=every(60.0, 190.0))

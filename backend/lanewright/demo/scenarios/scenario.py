@@ -3,19 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
 
 import numpy as np
 
 from lanewright.core.elements import LaneType, Mark
+from lanewright.core.workflow import Direction
 from lanewright.demo.plan import Half, Plan, Slot, Turn
-
-
-class Direction(StrEnum):
-    """Which way a task on the log runs: the base is stale, or the base is the current world (spec §3)."""
-
-    PRIOR_TO_CURRENT = "prior_to_current"
-    CURRENT_TO_PRIOR = "current_to_prior"
 
 
 @dataclass(frozen=True)
@@ -23,6 +16,8 @@ class Scenario:
     """A place, its two states and a drive through it.
 
     Attributes:
+        source_split: where the log would stand in TbV; train maps are up to date, val maps are stale.
+        split: release split.
         route: names of the lanes where the drive starts and ends, in the current world.
         drive: metres after the route's start where the log begins, and its length in metres.
         one_sided: whether its map lists a predecessor only when its id is smaller than the lane's own.
@@ -31,6 +26,7 @@ class Scenario:
     name: str
     city: str
     season: str
+    source_split: str
     split: str
     direction: Direction
     stale: Plan
