@@ -10,7 +10,7 @@ from lanewright import __version__
 from lanewright.api import errors, frontend
 from lanewright.api.last_resort import LastResort
 from lanewright.api.request_id import RequestId
-from lanewright.api.routes import accounts, docs, operation, session, tokens
+from lanewright.api.routes import accounts, docs, operation, session, steps, tasks, tokens
 from lanewright.api.security_headers import SecurityHeaders
 from lanewright.cluster import PrivateCluster
 from lanewright.settings import LOOPBACK_HOSTS, InvalidSettings, Settings, get_settings
@@ -41,7 +41,7 @@ def create_app(settings: Settings | None = None, database_url: str | None = None
     )
     app.state.settings = settings
     app.state.database_url = database_url or settings.database_url or _cluster_url(settings)
-    for module in (session, accounts, tokens, operation, docs):
+    for module in (session, accounts, tokens, tasks, steps, operation, docs):
         app.include_router(module.router)
     app.include_router(frontend.router)
     errors.register(app)

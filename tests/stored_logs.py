@@ -1,0 +1,104 @@
+"""Small logs as the import leaves them in the database."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from typing import Any
+
+from sqlalchemy.orm import Session
+
+from lanewright.db.models import Line, Log
+from lanewright.formats.av2_map import MapDocument, parse_map
+from lanewright.services.forking import write_base
+
+#   y
+#   8 +-------------------+   lane 12: oncoming, its left boundary is lane 11's reversed
+#   4 +===================+   shared centre line, SOLID_YELLOW; crossing 21 runs across both
+#   0 +-------------------+   lane 11
+#     0                  20  x
+
+
+def points(*triples: tuple[float, float, float]) -> list[dict[str, float]]:
+    return [{"x": x, "y": y, "z": z} for x, y, z in triples]
+
+
+def lane(identity: int, **changes: Any) -> dict[str, Any]:
+    """AV2 attributes of lane 11, or of one that differs from it in ``changes``."""
+    attributes: dict[str, Any] = {
+        "id": identity,
+        "is_intersection": False,
+        "lane_type": "VEHICLE",
+        "left_lane_boundary": points((0.0, 4.0, 1.0), (20.0, 4.0, 1.5)),
+        "left_lane_mark_type": "SOLID_YELLOW",
+        "right_lane_boundary": points((0.0, 0.0, 1.0), (10.0, 0.0, 1.2), (20.0, 0.0, 1.5)),
+        "right_lane_mark_type": "NONE",
+        "successors": [99],
+        "predecessors": [],
+        "right_neighbor_id": None,
+        "left_neighbor_id": 12,
+    }
+    return attributes | changes
+
+
+def small_map() -> dict[str, Any]:
+    """Two lanes and a crossing, in the shape of an AV2 map file."""
+    oncoming = lane(
+        12,
+        left_lane_boundary=points((20.0, 4.0, 1.5), (0.0, 4.0, 1.0)),
+        right_lane_boundary=points((20.0, 8.0, 1.5), (0.0, 8.0, 1.0)),
+        left_neighbor_id=11,
+        successors=[],
+    )
+    crossing = {
+        "edge1": points((2.0, 0.0, 1.0), (2.0, 8.0, 1.0)),
+        "edge2": points((5.0, 0.0, 1.0), (5.0, 8.0, 1.0)),
+        "id": 21,
+    }
+    area = points((0.0, 0.0, 1.0), (20.0, 0.0, 1.5), (20.0, 8.0, 1.5), (0.0, 8.0, 1.0))
+    return {
+        "pedestrian_crossings": {"21": crossing},
+        "lane_segments": {"12": oncoming, "11": lane(11)},
+        "drivable_areas": {"31": {"area_boundary": area, "id": 31}},
+    }
+
+
+def add_log(
+    session: Session,
+    log_id: str = "log-one",
+    *,
+    city: str = "WDC",
+    split: str = "train",
+    direction: str = "current_to_prior",
+    text: str | None = None,
+) -> Log:
+    """A log with the small map (or the map in ``text``) on its base line."""
+    data = (text or json.dumps(small_map())).encode()
+    name = f"log_map_archive_{log_id}____{city}_city_1.json"
+    document: MapDocument = parse_map(data, name)
+    line = Line(head=0)
+    log = Log(
+        log_id=log_id,
+        dataset="tbv",
+        city=city,
+        source_split=None,
+        release_split=split,
+        direction=direction,
+        map_file_name=name,
+        map_document=data,
+        map_sha256=hashlib.sha256(data).digest(),
+        content_sha256=hashlib.sha256(b"log" + data).digest(),
+        next_new_id=1000,
+        last_new_id=9999,
+        summary={"bounds": [0.0, 0.0, 20.0, 8.0], "lanes": 2, "crossings": 1, "sensors": {}, "absent": ["lidar"]},
+    )
+    # Log and its base line name each other: the line's key is checked at the end only.
+    line.log_id = 0
+    session.add(line)
+    session.flush()
+    log.line_id = line.id
+    session.add(log)
+    session.flush()
+    line.log_id = log.id
+    write_base(session, line, city, document.state)
+    return log
