@@ -29,7 +29,8 @@ MOST_PIXELS = 24_000_000
 
 _EGO_HEIGHT = 0.32  # of the ego origin above the ground (measured on real logs)
 _SLOPE = 0.03  # that a road may have where no raster tells its height
-_DARK_PERCENTILE, _BRIGHT_PERCENTILE = 2.0, 99.0  # single bright returns (signs, plates) must not darken the paint
+_DARK_PERCENTILE, _BRIGHT_PERCENTILE = 2.0, 99.5  # single bright returns (signs, plates) must not darken the paint
+_LEAST_CONTRAST = 50.0  # of 255: paint is that much brighter than asphalt, which must not be stretched to white
 _GAMMA = 0.6
 _FILLED_ALPHA = (190, 110)  # of pixels one and two steps from a return: a few sweeps leave rings with gaps
 _FILLED_PIXELS = len(_FILLED_ALPHA)
@@ -150,7 +151,7 @@ def _pixels(sums: Array, counts: Array) -> Array:
     for top in range(0, len(sums), _STRIP_ROWS):
         first, end = max(0, top - _FILLED_PIXELS), min(len(sums), top + _STRIP_ROWS + _FILLED_PIXELS)
         means, alpha = _filled(sums[first:end], counts[first:end])
-        scaled = np.clip((means - dark) / max(bright - dark, 1.0), 0.0, 1.0) ** _GAMMA
+        scaled = np.clip((means - dark) / max(bright - dark, _LEAST_CONTRAST), 0.0, 1.0) ** _GAMMA
         strip = np.stack([np.where(alpha > 0, np.rint(255 * scaled), 0), alpha], axis=-1)
         pixels[top : top + _STRIP_ROWS] = strip[top - first : top - first + _STRIP_ROWS]
     return np.ascontiguousarray(pixels[::-1])

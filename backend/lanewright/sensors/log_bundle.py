@@ -24,7 +24,6 @@ from lanewright.sensors.frames import LONGEST_LAG_NS, Frames, frame_index
 from lanewright.sensors.lidar_image import LidarImage, lidar_image
 
 TRAJECTORY_STEP = 1.0
-_SWEEP_STEP = 0.2  # metres of motion between sweeps that go into the image: standing still shows nothing new
 
 Progress = Callable[[str, int, int], None]
 """Called with what is being read, how much of it is done, and how much there is."""
@@ -83,7 +82,8 @@ def read_log(path: Path, *, progress: Progress = lambda what, done, total: None)
     ground = _read_ground(log)
     extrinsics = read_extrinsics(log.path(EXTRINSICS), EXTRINSICS) if EXTRINSICS in log else None
     intrinsics = read_intrinsics(log.path(INTRINSICS), INTRINSICS) if INTRINSICS in log else None
-    sweeps, without_pose = _timed_sweeps(files.get(LIDAR, ()), poses)
+    sweeps = _timed_sweeps(files.get(LIDAR, ()), poses)
+    without_pose = len(files.get(LIDAR, ())) - len(sweeps)
     lidar = lidar_image(
         _read_sweeps(log, sweeps, poses, progress), poses.values[:, 4:], ground.height.at if ground else None
     )
@@ -138,21 +138,18 @@ def _read_ground(log: LogDirectory) -> GroundFiles | None:
     return GroundFiles(raster, placement, parse_ground(raster, raster_file, placement, placement_file))
 
 
-def _timed_sweeps(sweeps: tuple[SensorFile, ...], poses: Poses) -> tuple[dict[int, SensorFile], int]:
-    """Sweeps by the row of their pose, those that show something new; and how many have no pose near their time."""
-    near: dict[int, SensorFile] = {}
-    for sweep in sweeps:
-        row = poses.nearest(sweep.timestamp_ns)
-        if abs(int(poses.timestamps_ns[row]) - sweep.timestamp_ns) <= LONGEST_LAG_NS:
-            near.setdefault(row, sweep)
-    lacking = len(sweeps) - len(near)
-    return {row: near[row] for row in poses.rows_every(_SWEEP_STEP, iter(near))}, lacking
+def _timed_sweeps(sweeps: tuple[SensorFile, ...], poses: Poses) -> list[tuple[int, SensorFile]]:
+    """Sweeps with the row of their pose; without those that have no pose near their time."""
+    rows = [(poses.nearest(sweep.timestamp_ns), sweep) for sweep in sweeps]
+    return [
+        (row, sweep) for row, sweep in rows if abs(int(poses.timestamps_ns[row]) - sweep.timestamp_ns) <= LONGEST_LAG_NS
+    ]
 
 
 def _read_sweeps(
-    log: LogDirectory, sweeps: Mapping[int, SensorFile], poses: Poses, progress: Progress
+    log: LogDirectory, sweeps: list[tuple[int, SensorFile]], poses: Poses, progress: Progress
 ) -> Iterator[tuple[Pose, Sweep]]:
-    for done, (row, sweep) in enumerate(sweeps.items()):
+    for done, (row, sweep) in enumerate(sweeps):
         progress("lidar sweeps", done, len(sweeps))
         yield poses[row], read_sweep(log.path(sweep.path), sweep.path)
     progress("lidar sweeps", len(sweeps), len(sweeps))
