@@ -911,14 +911,14 @@ export interface components {
              * Mend
              * @default
              */
-            mend: string;
+            mend?: string;
             /** Message */
             message: string;
             /**
              * Request Id
              * @default
              */
-            request_id: string;
+            request_id?: string;
         };
         /** RemarkIn */
         RemarkIn: {
@@ -974,7 +974,7 @@ export interface components {
              * Note
              * @default
              */
-            note: string;
+            note?: string;
         };
         /**
          * SavedRevision
@@ -1030,7 +1030,7 @@ export interface components {
              * Reason
              * @default
              */
-            reason: string;
+            reason?: string;
             /** Remarks */
             remarks?: components["schemas"]["RemarkIn"][];
             /** Revision */
@@ -1143,7 +1143,7 @@ export interface components {
              * Days
              * @default 90
              */
-            days: number;
+            days?: number;
             /** Name */
             name: string;
             /**

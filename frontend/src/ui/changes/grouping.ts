@@ -1,0 +1,45 @@
+/** Findings as lists show them: changes by the structural update that they belong to. */
+import type { Change, ElementKey, Findings, StructuralUpdate } from "../../api/types";
+
+export interface ChangeGroup {
+  key: string;
+  title: string;
+  /** The update's macro-modifications, in words. */
+  macros: string;
+  changes: readonly Change[];
+}
+
+const keyOf = (element: ElementKey) => `${element.kind}:${element.id}`;
+
+export function macroWords(macros: StructuralUpdate["macros"]): string {
+  const words: string[] = [];
+  if (macros.shape) words.push("shape");
+  if (macros.appearance) words.push("appearance");
+  if (macros.function) words.push("function");
+  if (macros.lane_graph) words.push("lane graph");
+  if (macros.lane_number !== 0) {
+    words.push(`lane number ${macros.lane_number > 0 ? "+" : "−"}${Math.abs(macros.lane_number)}`);
+  }
+  return words.join(" · ");
+}
+
+/** Every change once: under its update, and last those that no update holds. */
+export function groupChanges(findings: Findings): ChangeGroup[] {
+  const rest = new Map(findings.changes.map((change) => [keyOf(change), change]));
+  const groups: ChangeGroup[] = [];
+  for (const update of findings.updates) {
+    const changes: Change[] = [];
+    for (const [kind, id] of update.elements) {
+      const key = keyOf({ kind, id });
+      const change = rest.get(key);
+      if (change === undefined) continue;
+      changes.push(change);
+      rest.delete(key);
+    }
+    const first = changes[0];
+    if (first === undefined) continue;
+    groups.push({ key: keyOf(first), title: update.title, macros: macroWords(update.macros), changes });
+  }
+  if (rest.size > 0) groups.push({ key: "rest", title: "Elsewhere", macros: "", changes: [...rest.values()] });
+  return groups;
+}

@@ -1,0 +1,26 @@
+import type { Category, Task } from "../../api/types";
+import classes from "./parts.module.css";
+import { CATEGORY_WORDS, COUNTED_CATEGORIES, counted } from "./words";
+
+/** "2 insertion, 1 marking": what a change bar shows, in words. */
+export function changeCounts(changes: Partial<Record<Category, number>>): string {
+  const parts = COUNTED_CATEGORIES.filter((name) => (changes[name] ?? 0) > 0).map(
+    (name) => `${changes[name] ?? 0} ${CATEGORY_WORDS[name]}`,
+  );
+  return parts.length === 0 ? "no change" : parts.join(", ");
+}
+
+/** How a task's changes divide over the categories. */
+export function ChangeBar({ task }: { task: Pick<Task, "changes" | "changed_elements"> }) {
+  const words = `${counted(task.changed_elements, "changed element")}: ${changeCounts(task.changes)}`;
+  return (
+    <span className={classes.bar} role="img" aria-label={words} title={words}>
+      {COUNTED_CATEGORIES.map((name) => (
+        <span
+          key={name}
+          style={{ flexGrow: task.changes[name] ?? 0, background: `var(--change-${name})` }}
+        />
+      ))}
+    </span>
+  );
+}

@@ -1,0 +1,98 @@
+/** How the app says the wire's values. */
+import type { Action, Category, Direction, ElementKind, LaneType, Mark, Role, TaskState } from "../../api/types";
+
+export const STATE_WORDS: Record<TaskState, string> = {
+  draft: "draft",
+  submitted: "submitted",
+  in_review: "in review",
+  changes_requested: "changes requested",
+  accepted: "accepted",
+};
+
+export const DIRECTION_WORDS: Record<Direction, string> = {
+  prior_to_current: "prior → current",
+  current_to_prior: "current → prior",
+};
+
+export const CATEGORY_WORDS: Record<Category, string> = {
+  insertion: "insertion",
+  deletion: "deletion",
+  geometry: "geometry",
+  marking: "marking",
+  type: "type",
+  connectivity: "connectivity",
+};
+
+/** In the order of the legend and of every change bar. */
+export const CATEGORIES = Object.keys(CATEGORY_WORDS) as Category[];
+/** Connectivity alone does not count as a change. */
+export const COUNTED_CATEGORIES = CATEGORIES.filter((category) => category !== "connectivity");
+
+export const ACTION_WORDS: Record<Action, string> = {
+  submit: "submitted",
+  start_review: "started the review",
+  accept: "accepted",
+  send_back: "sent back",
+  reopen: "reopened",
+};
+
+export const ROLE_WORDS: Record<Role, string> = {
+  annotator: "annotator",
+  reviewer: "reviewer",
+  admin: "admin",
+};
+
+export const KIND_WORDS: Record<ElementKind, string> = {
+  lane_segment: "Lane",
+  pedestrian_crossing: "Crossing",
+};
+
+export const LANE_TYPE_WORDS: Record<LaneType, string> = { VEHICLE: "Vehicle", BIKE: "Bike", BUS: "Bus" };
+
+export const MARK_WORDS: Record<Mark, string> = {
+  NONE: "None",
+  DASHED_WHITE: "Dashed white",
+  DASHED_YELLOW: "Dashed yellow",
+  SOLID_WHITE: "Solid white",
+  SOLID_YELLOW: "Solid yellow",
+  DOUBLE_SOLID_WHITE: "Double solid white",
+  DOUBLE_SOLID_YELLOW: "Double solid yellow",
+  DOUBLE_DASH_WHITE: "Double dashed white",
+  DOUBLE_DASH_YELLOW: "Double dashed yellow",
+  SOLID_DASH_WHITE: "Solid, then dashed white",
+  SOLID_DASH_YELLOW: "Solid, then dashed yellow",
+  DASH_SOLID_WHITE: "Dashed, then solid white",
+  DASH_SOLID_YELLOW: "Dashed, then solid yellow",
+  SOLID_BLUE: "Solid blue",
+  UNKNOWN: "Unknown",
+};
+
+/** "1 change", "3 changes". */
+export function counted(count: number, noun: string, plural = `${noun}s`): string {
+  return `${count} ${count === 1 ? noun : plural}`;
+}
+
+/** A UUID by its first block; other long names by both ends. */
+export function shortLogName(logId: string): string {
+  if (/^[0-9a-f]{8}-[0-9a-f]{4}-/i.test(logId)) return logId.slice(0, 8);
+  return logId.length <= 22 ? logId : `${logId.slice(0, 10)}…${logId.slice(-10)}`;
+}
+
+const MINUTE = 60;
+const HOUR = 60 * MINUTE;
+const DAY = 24 * HOUR;
+
+/** "2 s", "5 min", "3 h", "4 d": how long something took or is ago. */
+export function duration(seconds: number): string {
+  const whole = Math.max(0, Math.floor(seconds));
+  if (whole < MINUTE) return `${whole} s`;
+  if (whole < HOUR) return `${Math.floor(whole / MINUTE)} min`;
+  if (whole < 2 * DAY) return `${Math.floor(whole / HOUR)} h`;
+  return `${Math.floor(whole / DAY)} d`;
+}
+
+/** "just now", "5 min ago". */
+export function ago(instant: string | number, now: number): string {
+  const seconds = (now - new Date(instant).getTime()) / 1000;
+  return seconds < 5 ? "just now" : `${duration(seconds)} ago`;
+}
