@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fastapi import FastAPI
+from fastapi import APIRouter, FastAPI
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 from starlette.middleware.trustedhost import TrustedHostMiddleware
 
@@ -10,7 +10,19 @@ from lanewright import __version__
 from lanewright.api import errors, frontend
 from lanewright.api.last_resort import LastResort
 from lanewright.api.request_id import RequestId
-from lanewright.api.routes import accounts, docs, operation, session, steps, tasks, tokens
+from lanewright.api.routes import (
+    accounts,
+    changes,
+    docs,
+    logs,
+    operation,
+    revisions,
+    session,
+    steps,
+    tasks,
+    tokens,
+    workspace,
+)
 from lanewright.api.security_headers import SecurityHeaders
 from lanewright.cluster import PrivateCluster
 from lanewright.settings import LOOPBACK_HOSTS, InvalidSettings, Settings, get_settings
@@ -41,8 +53,12 @@ def create_app(settings: Settings | None = None, database_url: str | None = None
     )
     app.state.settings = settings
     app.state.database_url = database_url or settings.database_url or _cluster_url(settings)
-    for module in (session, accounts, tokens, tasks, steps, operation, docs):
+    for module in (session, accounts, tokens, tasks, steps, logs, changes, operation, docs):
         app.include_router(module.router)
+    drawn = APIRouter(max_body_size=settings.body_limit_bytes)  # what people draw may be large
+    for module in (workspace, revisions):
+        drawn.include_router(module.router)
+    app.include_router(drawn)
     app.include_router(frontend.router)
     errors.register(app)
     # The last one added is the outermost.

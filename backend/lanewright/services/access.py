@@ -36,13 +36,18 @@ def own_task(session: Session, actor: Actor, task_id: int, *, lock: bool = False
         Forbidden: it is assigned to somebody else.
     """
     task = readable_task(session, actor, task_id, lock=lock)
+    require_own(actor, task)
+    return task
+
+
+def require_own(actor: Actor, task: Task) -> None:
+    """Raises Forbidden unless the actor is the task's assignee or an admin."""
     if task.assignee_id != actor.id and actor.role is not Role.ADMIN:
         raise Forbidden(
-            f"Task {task_id} is not assigned to you.",
+            f"Task {task.id} is not assigned to you.",
             mend="Ask an admin to assign it to you.",
             code="task.not_assigned",
         )
-    return task
 
 
 def require_editable(task: Task) -> None:

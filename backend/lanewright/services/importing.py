@@ -180,7 +180,7 @@ def _require_same_place(known: Log, asked: Assignment) -> None:
     for what, before, after in zip(("source split", "release split", "direction"), was, now, strict=True):
         if before != after:
             raise Conflict(
-                f"Log {known.log_id} is imported already; its {what} is {before or 'unknown'}, not {after or 'unknown'}.",
+                f"Log {known.log_id} is imported already; its {what} is {before or 'none'}, not {after or 'none'}.",
                 mend="Import it as it was before; a log keeps its place because tasks and exports rest on it.",
                 code="log.placed_differently",
                 log_id=known.log_id,

@@ -18,7 +18,7 @@ from lanewright.db.mapping import map_sha256, to_rows
 from lanewright.db.models import Task
 from lanewright.db.repositories import changes, drafts, elements, revisions
 from lanewright.sensors.city import city_frame
-from lanewright.services.access import own_task, readable_task, require_editable
+from lanewright.services.access import readable_task, require_editable, require_own
 from lanewright.services.actor import Actor
 from lanewright.services.element_documents import key_documents, map_document
 from lanewright.services.evaluation import Evaluation, evaluate
@@ -57,7 +57,7 @@ def save(
                 changeset_uuid=str(changeset_uuid),
             )
         return known.answer
-    own_task(session, actor, task_id)
+    require_own(actor, task)
     require_editable(task)
     evaluation = evaluate(session, task, actor.id, base_revision, edits)
     _require_no_violation(evaluation)

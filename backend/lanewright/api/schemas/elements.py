@@ -5,7 +5,7 @@ from __future__ import annotations
 from pydantic import Field
 
 from lanewright.api.schemas.base import Identifier, Incoming, Metres, Outgoing
-from lanewright.core.edits import Operation
+from lanewright.core.edits import Edit, Operation
 from lanewright.core.elements import ElementKind, LaneType, Mark
 
 
@@ -98,6 +98,11 @@ class EditIn(Incoming):
     kind: ElementKind = Field(strict=False)
     id: Identifier
     attributes: AttributesIn = Field(default_factory=AttributesIn)
+
+    def to_core(self) -> Edit:
+        """The edit as a value of the domain; attributes that were left out stay out."""
+        given = self.attributes.model_dump(include=self.attributes.model_fields_set)
+        return Edit(self.operation, self.kind, self.id, given)
 
 
 class EditOut(Outgoing):

@@ -6,7 +6,7 @@ import hashlib
 from dataclasses import dataclass
 from typing import Any
 
-from sqlalchemy import ColumnElement, func, insert, select
+from sqlalchemy import ColumnElement, exists, func, insert, select
 from sqlalchemy.orm import Session
 
 from lanewright.db.models import Line, Log, LogAsset, Task
@@ -23,6 +23,12 @@ class ListedLog:
 def find_log(session: Session, log_id: str) -> Log | None:
     """The log by its id in the dataset."""
     return session.execute(select(Log).where(Log.log_id == log_id)).scalar_one_or_none()
+
+
+def find_log_of_assignee(session: Session, log_id: str, account_id: int) -> Log | None:
+    """The log by its id, if a task on it is assigned to this account."""
+    assigned = exists().where(Task.log_id == Log.id, Task.assignee_id == account_id)
+    return session.execute(select(Log).where(Log.log_id == log_id, assigned)).scalar_one_or_none()
 
 
 def find_logs(

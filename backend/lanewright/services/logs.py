@@ -1,0 +1,85 @@
+"""Imported logs as people see them: the list for reviewers, the lidar image for whoever works on one."""
+
+from __future__ import annotations
+
+import datetime
+from dataclasses import dataclass
+
+from sqlalchemy.orm import Session
+
+from lanewright.core.errors import NotFound
+from lanewright.core.workflow import Direction
+from lanewright.db.repositories import logs
+from lanewright.services.actor import Actor
+from lanewright.services.importing import LIDAR_IMAGE
+
+
+@dataclass(frozen=True, slots=True)
+class LogView:
+    """A log with its figures; ``absent``: parts of a complete log that it lacks."""
+
+    log_id: str
+    dataset: str
+    city: str
+    source_split: str | None
+    release_split: str
+    direction: Direction
+    imported_at: datetime.datetime
+    lanes: int
+    crossings: int
+    sensors: dict[str, int]
+    absent: list[str]
+    tasks: int
+
+
+@dataclass(frozen=True, slots=True)
+class KeptImage:
+    """An image that is in the store, not loaded yet; its hash names its contents for good."""
+
+    log_row_id: int
+    sha256: bytes
+
+    def load(self, session: Session) -> bytes:
+        """The PNG."""
+        return logs.asset_body(session, self.log_row_id, LIDAR_IMAGE)
+
+
+def listing(
+    session: Session, *, text: str, city: str | None, split: str | None, page: int, page_size: int
+) -> tuple[list[LogView], int]:
+    """A page of logs by id, and how many there are in all."""
+    found, total = logs.find_logs(
+        session, text=text, city=city, split=split, offset=(page - 1) * page_size, limit=page_size
+    )
+    return [_view(listed) for listed in found], total
+
+
+def lidar_image(session: Session, actor: Actor, log_id: str) -> KeptImage:
+    """The lidar image of a log.
+
+    Raises:
+        NotFound: no such log, it has none, or the actor has no task on it and does not review.
+    """
+    log = logs.find_log(session, log_id) if actor.reviews else logs.find_log_of_assignee(session, log_id, actor.id)
+    sha256 = None if log is None else logs.asset_hashes(session, log.id).get(LIDAR_IMAGE)
+    if log is None or sha256 is None:
+        raise NotFound("There is no lidar image of this log.", code="lidar.not_found")
+    return KeptImage(log.id, sha256)
+
+
+def _view(listed: logs.ListedLog) -> LogView:
+    log, summary = listed.log, listed.log.summary
+    return LogView(
+        log_id=log.log_id,
+        dataset=log.dataset,
+        city=log.city,
+        source_split=log.source_split,
+        release_split=log.release_split,
+        direction=Direction(log.direction),
+        imported_at=log.imported_at,
+        lanes=summary["lanes"],
+        crossings=summary["crossings"],
+        sensors=summary["sensors"],
+        absent=summary["absent"],
+        tasks=listed.tasks,
+    )
