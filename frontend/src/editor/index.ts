@@ -1,6 +1,9 @@
 /** The editor core: pure TypeScript, no map, no DOM, no fetch. */
+
+export { classify } from "./classification";
 export type { Change, MapDocument } from "./document";
 export { elementOf } from "./document";
+export { editsBetween } from "./edits";
 export type {
   Crossing,
   ElementKey,
@@ -18,6 +21,19 @@ export type {
   VertexRef,
 } from "./elements";
 export { keyText, otherSide, parseKey } from "./elements";
+export { commandOf, KEY_TABLE, type KeyBinding, type KeyCommand, type KeyPress, nudgeOf } from "./keys";
+export { boundary, lineNames, lineOf, markOf, neighborOf, ringOf } from "./lines";
+export {
+  colourOf,
+  MARKS,
+  type MarkColour,
+  markWords,
+  mirrored,
+  patternOf,
+  type Stripe,
+  stripesOf,
+} from "./marks";
+export { centreOf, laneLength, laneWidth, measuresOf, widthAt } from "./measure";
 export type {
   CreateEditor,
   DrawLaneOptions,
@@ -36,4 +52,5 @@ export type {
   Staged,
   Tool,
 } from "./state";
+export { createEditor } from "./store";
 export type { Edit, EditorSavedRevision, EditorWorkspace, IdBlock, ReceivedEdit } from "./wire";

@@ -28,8 +28,6 @@ export interface History {
 export interface Staged {
   readonly note: string;
   readonly changes: readonly Change[];
-  /** Where the grabbed point is now. */
-  readonly at: Place;
 }
 
 /** Clicks of a drawing tool so far. */
@@ -88,6 +86,8 @@ export interface EditorActions {
   select(key: ElementKey | null, detail?: { side?: LineName | null; vertex?: Selection["vertex"] }): void;
   /** Selects at a place: the topmost element, and with each further click there the next one below. */
   pick(at: Place, toleranceMetres: number): void;
+  /** The same at the place of the last pick. */
+  pickUnderneath(): void;
   hover(key: ElementKey | null): void;
   /** Selects the next (+1) or previous (-1) vertex of the selected element. */
   stepVertex(step: 1 | -1): void;
@@ -106,7 +106,7 @@ export interface EditorActions {
   commitStaged(): Outcome;
   cancelStaged(): void;
   /** A new vertex between `index` and `index + 1`, in every lane that shares that piece of line. */
-  addVertex(vertex: VertexRef, at: Place): Outcome;
+  addVertex(vertex: VertexRef, at?: Place): Outcome;
   removeVertex(vertex: VertexRef): Outcome;
   /** Delete key: the selected vertex, else the selected element. */
   removeSelected(): Outcome;

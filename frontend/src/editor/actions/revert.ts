@@ -1,0 +1,182 @@
+/** One element as it was imported, with the lines and joints that it shares. */
+import { elementOf, type MapDocument } from "../document";
+import type { ElementKey, Lane, Line, Side } from "../elements";
+import { boundary, markOf, neighborOf, sameLine, samePlace, withBoundary, withNeighbor } from "../lines";
+import { GONE, nameOf, type Planned, refuse, selectionOf } from "../plan";
+import { sharersOf, together } from "../topology";
+import { Workpiece } from "../workpiece";
+import { withoutMention } from "./links";
+import { paint, planDeletion } from "./properties";
+import { moveCopies } from "./vertices";
+
+const SIDES: readonly Side[] = ["left", "right"];
+
+export function planRevert(base: MapDocument, document: MapDocument, key: ElementKey): Planned {
+  const original = elementOf(base, key);
+  if (original === null) {
+    const deletion = planDeletion(document, key);
+    return "refused" in deletion
+      ? deletion
+      : { ...deletion, note: `Took back the insertion of ${nameOf(key)}` };
+  }
+  const note = `Reverted ${nameOf(key)} to the imported map`;
+  const work = new Workpiece(document);
+  if (original.kind === "pedestrian_crossing") {
+    work.put(original);
+    return { note, changes: work.changes(), select: selectionOf(key) };
+  }
+  if (work.lane(key.id) === null) work.putLane(withoutMentionOfMissing(original.attributes, base, document));
+  revertLinks(work, base, original.attributes);
+  for (const side of SIDES) {
+    revertBoundary(work, base, original.attributes, side);
+    const lane = work.lane(key.id);
+    if (lane === null) return refuse(GONE);
+    if (markOf(lane, side) !== markOf(original.attributes, side)) {
+      paint(work, lane, side, markOf(original.attributes, side));
+    }
+  }
+  const { lane_type, is_intersection } = original.attributes;
+  const lane = work.lane(key.id);
+  if (lane === null) return refuse(GONE);
+  if (lane.lane_type !== lane_type || lane.is_intersection !== is_intersection) {
+    work.putLane({ ...lane, lane_type, is_intersection });
+  }
+  const selection = selectionOf(key);
+  return { note, changes: work.changes(), select: selection };
+}
+
+/** Ids outside the imported map are its rim and stay; ids of lanes deleted since go. */
+function withoutMentionOfMissing(lane: Lane, base: MapDocument, document: MapDocument): Lane {
+  const mentioned = [
+    ...lane.successors,
+    ...lane.predecessors,
+    ...SIDES.flatMap((side) => neighborOf(lane, side) ?? []),
+  ];
+  return mentioned
+    .filter((id) => base.lanes.has(id) && !document.lanes.has(id))
+    .reduce((result, id) => withoutMention(result, id), lane);
+}
+
+/** Links as imported, on both lanes; links with lanes inserted since stay, they are those lanes' story. */
+function revertLinks(work: Workpiece, base: MapDocument, original: Lane): void {
+  const id = original.id;
+  for (const imported of base.lanes.values()) {
+    const other = work.lane(imported.id);
+    if (other === null || imported.id === id) continue;
+    const reverted = mentionsAs(imported, other, id);
+    if (reverted !== other) work.putLane(reverted);
+  }
+  const lane = work.lane(id);
+  if (lane === null) return;
+  const wanted = withoutMentionOfMissing(original, base, work.document);
+  const added = (ids: readonly number[]) =>
+    ids.filter((other) => !base.lanes.has(other) && work.lane(other) !== null);
+  const together = (imported: readonly number[], now: readonly number[]) => {
+    const all = [...imported, ...added(now).filter((other) => !imported.includes(other))];
+    return all.length === now.length && all.every((other, index) => other === now[index]) ? now : all;
+  };
+  let result: Lane = {
+    ...lane,
+    successors: together(wanted.successors, lane.successors),
+    predecessors: together(wanted.predecessors, lane.predecessors),
+  };
+  for (const side of SIDES) {
+    const now = neighborOf(lane, side);
+    if (now === null || added([now]).length === 0)
+      result = withNeighbor(result, side, neighborOf(wanted, side));
+  }
+  work.putLane(same(result, lane) ? lane : same(result, original) ? original : result);
+}
+
+function same(a: Lane, b: Lane): boolean {
+  const lists = (one: readonly number[], other: readonly number[]) =>
+    one.length === other.length && one.every((id, index) => id === other[index]);
+  return (
+    lists(a.successors, b.successors) &&
+    lists(a.predecessors, b.predecessors) &&
+    a.left_neighbor_id === b.left_neighbor_id &&
+    a.right_neighbor_id === b.right_neighbor_id &&
+    a.left_lane_boundary === b.left_lane_boundary &&
+    a.right_lane_boundary === b.right_lane_boundary &&
+    a.left_lane_mark_type === b.left_lane_mark_type &&
+    a.right_lane_mark_type === b.right_lane_mark_type &&
+    a.lane_type === b.lane_type &&
+    a.is_intersection === b.is_intersection
+  );
+}
+
+/** `other` with its mentions of `id` as imported, in the imported order. */
+function mentionsAs(imported: Lane, other: Lane, id: number): Lane {
+  const list = (was: readonly number[], now: readonly number[]) => {
+    if (was.includes(id) === now.includes(id)) return now;
+    if (!was.includes(id)) return now.filter((one) => one !== id);
+    const place = was.slice(0, was.indexOf(id)).filter((one) => now.includes(one)).length;
+    return now.toSpliced(place, 0, id);
+  };
+  const successors = list(imported.successors, other.successors);
+  const predecessors = list(imported.predecessors, other.predecessors);
+  let result =
+    successors === other.successors && predecessors === other.predecessors
+      ? other
+      : { ...other, successors, predecessors };
+  for (const side of SIDES) {
+    const was = neighborOf(imported, side);
+    const now = neighborOf(result, side);
+    if (was === id && now === null) result = withNeighbor(result, side, id);
+    if (was !== id && now === id) result = withNeighbor(result, side, null);
+  }
+  return result;
+}
+
+/** The boundary as imported, in all lanes that shared it then or share it now; joints follow. */
+function revertBoundary(work: Workpiece, base: MapDocument, original: Lane, side: Side): void {
+  const line = boundary(original, side);
+  const now = work.lane(original.id);
+  if (now === null) return;
+  const copies: { lane: number; side: Side; line: Line }[] = [{ lane: original.id, side, line }];
+  for (const sharer of sharersOf(base, original, side)) {
+    const imported = base.lanes.get(sharer.lane);
+    if (imported !== undefined)
+      copies.push({ lane: sharer.lane, side: sharer.side, line: boundary(imported, sharer.side) });
+  }
+  for (const sharer of sharersOf(work.document, now, side)) {
+    if (copies.some((copy) => copy.lane === sharer.lane && copy.side === sharer.side)) continue;
+    copies.push({ lane: sharer.lane, side: sharer.side, line: sharer.reversed ? line.toReversed() : line });
+  }
+  for (const copy of copies) {
+    moveOthersAlong(work, copy.lane, copy.side, copy.line);
+    const lane = work.lane(copy.lane);
+    if (lane === null || sameLine(boundary(lane, copy.side), copy.line)) continue;
+    work.putLane(withBoundary(lane, copy.side, copy.line));
+  }
+  for (const index of [0, -1] as const) pullJoint(work, base, original, side, index);
+}
+
+/** Vertices that other lanes share with this line go to where the line's vertex goes. */
+function moveOthersAlong(work: Workpiece, id: number, side: Side, line: Line): void {
+  const lane = work.lane(id);
+  if (lane === null) return;
+  const current = boundary(lane, side);
+  const indices = current.length === line.length ? current.map((_, index) => index) : [0, current.length - 1];
+  for (const index of indices) {
+    const target = index === current.length - 1 ? line.at(-1) : line[index];
+    if (target === undefined || samePlace(current[index], target)) continue;
+    moveCopies(work, together(work.document, { lane: id, side, index }), target);
+  }
+}
+
+/** A lane that comes back, or whose joint others have moved: they meet it again at the imported place. */
+function pullJoint(work: Workpiece, base: MapDocument, original: Lane, side: Side, index: 0 | -1): void {
+  const line = boundary(original, side);
+  const target = line.at(index);
+  if (target === undefined) return;
+  const at = index === 0 ? 0 : line.length - 1;
+  for (const copy of together(base, { lane: original.id, side, index: at })) {
+    const other = work.lane(copy.lane);
+    if (other === null || copy.where === "inside") continue;
+    const current = boundary(other, copy.side);
+    const place = copy.where === "start" ? 0 : current.length - 1;
+    if (samePlace(current[place], target)) continue;
+    moveCopies(work, together(work.document, { lane: copy.lane, side: copy.side, index: place }), target);
+  }
+}
