@@ -27,7 +27,8 @@ class LanewrightError(Exception):
             self.code = code
 
     def __str__(self) -> str:
-        return f"{self.message} {self.mend}".strip()
+        end = "" if self.message.endswith((".", "!", "?")) or not self.mend else "."
+        return f"{self.message}{end} {self.mend}".strip()
 
 
 class NotFound(LanewrightError):

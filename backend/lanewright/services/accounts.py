@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import datetime
+import re
 from collections.abc import Sequence
 
 from sqlalchemy.exc import IntegrityError
 from sqlalchemy.orm import Session
 
-from lanewright.core.errors import Conflict, NotFound
+from lanewright.core.errors import Conflict, InvalidInput, NotFound, Place
 from lanewright.core.workflow import Role
 from lanewright.db.models import Account
 from lanewright.db.repositories import accounts
 from lanewright.services.actor import Actor
 from lanewright.services.passwords import hash_password
+
+SHORTEST_PASSWORD = 10
+_NAME = re.compile(r"[\w.@+-]{1,64}")
 
 
 def everybody(session: Session) -> Sequence[Account]:
@@ -25,8 +29,14 @@ def add(session: Session, *, name: str, role: Role, password: str) -> Account:
     """A new account.
 
     Raises:
+        InvalidInput: a name with other than letters, digits and ``. @ + - _``, or a password that is too short.
         Conflict: somebody has that name, in whatever case (``account.exists``).
     """
+    if not _NAME.fullmatch(name):
+        raise InvalidInput(
+            f"is {name[:80]!r}", "Use up to 64 letters, digits and the signs . @ + - _ only.", Place(key="name")
+        )
+    _require_length(password)
     account = Account(name=name, role=role.value, password_hash=hash_password(password))
     try:
         with session.begin_nested():
@@ -35,6 +45,16 @@ def add(session: Session, *, name: str, role: Role, password: str) -> Account:
         raise Conflict(
             f"An account named {name!r} exists.", mend="Choose another name.", code="account.exists", name=name
         ) from None
+    return account
+
+
+def by_name(session: Session, name: str) -> Account:
+    """Raises NotFound unless somebody has that name, in whatever case."""
+    account = accounts.by_name(session, name)
+    if account is None:
+        raise NotFound(
+            f"There is no account named {name[:80]!r}.", mend="See lanewright user list.", code="account.not_found"
+        )
     return account
 
 
@@ -64,6 +84,7 @@ def change(
         account.role = role.value
         accounts.end_sessions(session, account.id)
     if password is not None:
+        _require_length(password)
         account.password_hash = hash_password(password)
         accounts.end_sessions(session, account.id)
         accounts.forget_failures(session, name=account.name.lower())
@@ -76,3 +97,10 @@ def change(
         account.disabled_at = None
     session.flush()
     return account
+
+
+def _require_length(password: str) -> None:
+    if len(password) < SHORTEST_PASSWORD:
+        raise InvalidInput(
+            f"has {len(password)} characters", f"Take at least {SHORTEST_PASSWORD}.", Place(key="password")
+        )
