@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -57,7 +58,7 @@ def test_sensor_files_are_listed_by_sensor_and_time(tmp_path: Path) -> None:
 def test_no_map_is_named(tmp_path: Path) -> None:
     root = tmp_path / TBV_ID
     root.mkdir()
-    with pytest.raises(InvalidInput, match=r"map/log_map_archive_\*\.json: is missing .*exactly one map"):
+    with pytest.raises(InvalidInput, match=r"map/log_map_archive_\*\.json: is missing\. .*exactly one map"):
         open_log(root)
 
 
@@ -82,7 +83,7 @@ def test_a_file_linked_from_outside_is_refused(tmp_path: Path, target: str) -> N
     root = make_log(tmp_path)
     link = root / "map" / "extra.json"
     link.symlink_to(tmp_path / target)
-    with pytest.raises(InvalidInput, match=r"map/extra\.json: leads out of the log folder Replace the symlink"):
+    with pytest.raises(InvalidInput, match=r"map/extra\.json: leads out of the log folder\. Replace the symlink"):
         open_log(root)
 
 
@@ -135,7 +136,7 @@ def test_map_names_that_do_not_fit(tmp_path: Path, name: str, problem: str, mend
 @pytest.mark.parametrize("name", ["logs", f"{TBV_ID}x", SENSOR_ID.upper(), TBV_ID.replace("Autumn", "Monsoon")])
 def test_folders_not_named_like_a_log(tmp_path: Path, name: str) -> None:
     (tmp_path / name).mkdir()
-    with pytest.raises(InvalidInput, match=r"is not named like a log Name the folder by the log's id"):
+    with pytest.raises(InvalidInput, match=r"is not named like a log\. Name the folder by the log's id"):
         open_log(tmp_path / name)
 
 
@@ -144,6 +145,15 @@ def test_a_sweep_without_a_time_in_its_name_is_named(tmp_path: Path) -> None:
     put(root, "sensors/lidar/first.feather")
     with pytest.raises(InvalidInput, match=r"sensors/lidar/first\.feather: is not named by a time in nanoseconds"):
         open_log(root).sensor_files()
+
+
+@pytest.mark.parametrize("name", [b"caf\xe9.jpg", b"line\nbreak.jpg"])
+def test_names_that_cannot_be_printed_are_refused(tmp_path: Path, name: bytes) -> None:
+    root = make_log(tmp_path)
+    (root / os.fsdecode(name)).write_bytes(b"")
+    with pytest.raises(InvalidInput, match=r"is no printable name\. Rename it\.") as caught:
+        open_log(root)
+    assert str(caught.value).isprintable()
 
 
 def test_a_folder_with_too_many_files_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -83,7 +83,7 @@ def test_sweeps_without_a_pose_are_counted(small_log: Path, poses_file: Callable
 
 def test_a_log_without_poses_is_refused(small_log: Path) -> None:
     (small_log / "city_SE3_egovehicle.feather").unlink()
-    with pytest.raises(InvalidInput, match=r"^city_SE3_egovehicle\.feather: is missing Copy the log again\.$"):
+    with pytest.raises(InvalidInput, match=r"^city_SE3_egovehicle\.feather: is missing\. Copy the log again\.$"):
         read_log(small_log)
 
 
