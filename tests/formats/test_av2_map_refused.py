@@ -52,12 +52,12 @@ def without(*path: str) -> Callable[[Map], bytes]:
 
 BAD_FILES: list[tuple[str, Callable[[Map], bytes], str | None, str | None, str, str]] = [
     # name, how it is spoilt, element, key, problem, mend
-    ("truncated", lambda m: json.dumps(m).encode()[:-40], None, None, "cut short at line 1", "download the file again"),
-    ("empty", lambda m: b"", None, None, "cut short at line 1", "download the file again"),
-    ("depth bomb", lambda m: b'{"a":' * 2_000_000, None, None, "nests 2000000 levels", "right file"),
-    ("list bomb", lambda m: b"[" * 100_000 + b"]" * 100_000, None, None, "nests 100000 levels", "right file"),
-    ("many values", lambda m: b"[" + b"0," * 2_100_000 + b"0]", None, None, "more than the 2,000,000", "right file"),
-    ("too large", lambda m: b" " * (32 * 2**20 + 1), None, None, "32 MiB", "right file"),
+    ("truncated", lambda m: json.dumps(m).encode()[:-40], None, None, "cut short at line 1", "the whole of it again"),
+    ("empty", lambda m: b"", None, None, "cut short at line 1", "the whole of it again"),
+    ("depth bomb", lambda m: b'{"a":' * 2_000_000, None, None, "nests 2000000 levels", "what was meant"),
+    ("list bomb", lambda m: b"[" * 100_000 + b"]" * 100_000, None, None, "nests 100000 levels", "what was meant"),
+    ("many values", lambda m: b"[" + b"0," * 2_100_000 + b"0]", None, None, "the 2,000,000 allowed", "what was meant"),
+    ("too large", lambda m: b" " * (32 * 2**20 + 1), None, None, "32 MiB", "what was meant"),
     ("latin-1", lambda m: b'{"caf\xe9": 1}', None, None, "not UTF-8 text at byte 5", "UTF-8"),
     ("utf-16", lambda m: json.dumps(m).encode("utf-16"), None, None, "not UTF-8 text at byte 0", "UTF-8"),
     ("NaN", text_replaced('"x": 0.0, "y": 4.0', '"x": NaN, "y": 4.0'), "lane_segment 12",

@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from lanewright.core.elements import ElementKey, ElementKind, LaneType, MapState, Mark
+from lanewright.core.errors import InvalidInput
 from lanewright.formats.av2_map import MapDocument, parse_map, read_map
 
 AWKWARD = b"""\xef\xbb\xbf{
@@ -118,6 +119,24 @@ def test_everything_can_be_deleted(small_map_bytes: bytes) -> None:
     assert list(rendered["drivable_areas"]) == ["31"]
 
 
+FRAGMENTS = [
+    b'"',
+    b"\\",
+    b"{",
+    b"}",
+    b"[",
+    b",",
+    b":",
+    b"NaN",
+    b"1e999",
+    b"\\u0000",
+    b"\\ud800",
+    b" \n",
+    b"null",
+    b"true",
+    b"-0",
+]
+
 coordinates = st.floats(-1e6, 1e6)
 lines = st.lists(st.tuples(coordinates, coordinates, coordinates), min_size=2, max_size=5).map(tuple)
 ids = st.integers(0, 2**53 - 1)
@@ -155,6 +174,22 @@ def test_every_state_comes_back_from_the_file_it_was_written_to(data: st.DataObj
     assert again.render(state) == rendered
     # and back to where it started: values equal the first file's, whatever way was taken
     assert parse_map(again.render(document.state), "back.json").state == document.state
+
+
+@settings(max_examples=300, deadline=None)
+@given(place=st.floats(0, 1), removed=st.integers(0, 3), put=st.binary(max_size=3) | st.sampled_from(FRAGMENTS))
+def test_a_damaged_file_is_refused_by_name_or_comes_back_as_it_is(place: float, removed: int, put: bytes) -> None:
+    start = round(place * len(AWKWARD))
+    data = AWKWARD[:start] + put + AWKWARD[start + removed :]
+    try:
+        document = parse_map(data, "damaged.json")
+    except InvalidInput as error:
+        if not (error.message.startswith("damaged.json") and error.mend):
+            pytest.fail(f"refused without a place or a mend: {error}")
+    else:
+        assert document.render(rebuilt(document.state)) == data
+        rendered = document.render(MapState.of(list(document.state.lanes.values())[:1]))
+        assert len(parse_map(rendered, "again.json").state) == 1
 
 
 @pytest.mark.parametrize("edit", ["none", "mark", "delete", "insert"])

@@ -27,13 +27,13 @@ MOST_FILES = 200_000
 
 _LOG_IDS = {
     "sensor": re.compile(r"[0-9a-f]{8}(?:-[0-9a-f]{4}){3}-[0-9a-f]{12}"),
-    "tbv": re.compile(r"[A-Za-z0-9]{32}__(?:Spring|Summer|Autumn|Winter)_\d{4}"),
+    "tbv": re.compile(r"[A-Za-z0-9]{32}__(?:Spring|Summer|Autumn|Winter)_[0-9]{4}"),
 }
 _MAP_NAME = re.compile(r"log_map_archive_(?P<log_id>.+)____(?P<city>[^_]+)_(?:.+)\.json")
 _SENSOR_FILE = re.compile(
     r"sensors/(?:cameras/(?P<camera>[^/]+)/(?P<image>[^/]+)\.(?:jpg|png)|lidar/(?P<sweep>[^/]+)\.feather)"
 )
-_TIMESTAMP = re.compile(r"\d{1,18}")
+_TIMESTAMP = re.compile(r"[0-9]{1,18}")
 
 
 class Layout(StrEnum):
@@ -168,6 +168,10 @@ def _walk(root: Path) -> Iterator[str]:
     for folder, folders, names in os.walk(root, onerror=refuse):
         for name in sorted(folders) + names:
             entry = Path(folder, name)
+            if not name.isprintable():  # also false for bytes that are not UTF-8
+                raise InvalidInput(
+                    "is no printable name", "Rename it.", Place(file=ascii(entry.relative_to(root).as_posix()))
+                )
             if entry.is_symlink():
                 require_inside(entry, root)
         for name in names:

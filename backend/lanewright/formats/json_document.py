@@ -84,12 +84,12 @@ def parse_json(
 def _parse(data: bytes, limits: Limits, locate: Locate) -> JsonDocument:
     if len(data) > limits.size:
         raise InvalidInput(
-            f"is larger than the {limits.size / MEBIBYTE:g} MiB allowed", "Check that it is the right file."
+            f"is larger than the {limits.size / MEBIBYTE:g} MiB allowed", "Check that it is what was meant."
         )
     try:
         text = data.decode("utf-8")
     except UnicodeDecodeError as error:
-        raise InvalidInput(f"is not UTF-8 text at byte {error.start}", "Save the file as UTF-8.") from None
+        raise InvalidInput(f"is not UTF-8 text at byte {error.start}", "Write it as UTF-8.") from None
     _check_shape(data, limits)
     refused: list[_Refused] = []
     body = text.removeprefix(BYTE_ORDER_MARK)
@@ -98,7 +98,7 @@ def _parse(data: bytes, limits: Limits, locate: Locate) -> JsonDocument:
     except json.JSONDecodeError as error:
         raise InvalidInput(
             f"is broken or cut short at line {error.lineno} column {error.colno} of JSON ({error.msg})",
-            "Copy or download the file again.",
+            "Copy or send the whole of it again.",
         ) from None
     if refused or _SUSPICIOUS_ESCAPE.search(body):
         _refuse_marked(value, locate)
@@ -111,13 +111,13 @@ def _check_shape(data: bytes, limits: Limits) -> None:
     depth = int(np.cumsum(_DEPTH_STEP[bare], dtype=np.int32).max(initial=0))
     if depth > limits.depth:
         raise InvalidInput(
-            f"nests {depth} levels deep, more than the {limits.depth} allowed", "Check that it is the right file."
+            f"nests {depth} levels deep, more than the {limits.depth} allowed", "Check that it is what was meant."
         )
     counts = np.bincount(bare, minlength=256)
     nodes = int(counts[ord("{")] + counts[ord("[")] + counts[ord(",")])
     if nodes > limits.nodes:
         raise InvalidInput(
-            f"holds {nodes:,} values, more than the {limits.nodes:,} allowed", "Check that it is the right file."
+            f"holds {nodes:,} values, more than the {limits.nodes:,} allowed", "Check that it is what was meant."
         )
 
 
