@@ -61,5 +61,5 @@ def test_mercator_stretches_with_the_latitude() -> None:
 
 
 def test_an_unknown_city_is_named() -> None:
-    with pytest.raises(InvalidInput, match="'LAX', no known city. Use ATX, DTW"):
+    with pytest.raises(InvalidInput, match=r"'LAX', no known city\. Use ATX, DTW"):
         city_frame("LAX")

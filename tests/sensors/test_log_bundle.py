@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 import shapely
 from PIL import Image
+from small_drive import PAINT_Y, pose_columns, write_feather
 
-from conftest import PAINT_Y, pose_columns, write_feather
 from lanewright.core.errors import InvalidInput
 from lanewright.formats.av2_log import open_log
 from lanewright.sensors.log_bundle import LogBundle, log_fingerprint, read_log
