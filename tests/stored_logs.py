@@ -9,8 +9,11 @@ from typing import Any
 from sqlalchemy.orm import Session
 
 from lanewright.db.models import Line, Log
+from lanewright.db.repositories.logs import insert_asset
 from lanewright.formats.av2_map import MapDocument, parse_map
+from lanewright.services.drive import SENSORS
 from lanewright.services.forking import write_base
+from lanewright.services.importing import DRIVABLE_AREAS
 
 #   y
 #   8 +-------------------+   lane 12: oncoming, its left boundary is lane 11's reversed
@@ -63,6 +66,23 @@ def small_map() -> dict[str, Any]:
     }
 
 
+def small_drive() -> dict[str, Any]:
+    """Two frames on the way along lane 11, as the import keeps them."""
+    still = {"qw": 1.0, "qx": 0.0, "qy": 0.0, "qz": 0.0}
+    frames = [
+        {
+            "index": index,
+            "drive": 0,
+            "timestamp_ns": f"31596626525983600{index}",
+            "pose": {**still, "tx_m": 6.0 * index, "ty_m": 2.0, "tz_m": 1.5},
+            "files": {},
+        }
+        for index in range(2)
+    ]
+    trajectory = [[0.0, 2.0, 1.5], [6.0, 2.0, 1.5]]
+    return {"trajectory": trajectory, "frames": frames, "sensors": {}, "extrinsics": None, "intrinsics": None}
+
+
 def add_log(
     session: Session,
     log_id: str = "log-one",
@@ -101,4 +121,7 @@ def add_log(
     session.flush()
     line.log_id = log.id
     write_base(session, line, city, document.state)
+    areas = [[point[:2] for point in ring] for ring in document.drivable_areas.values()]
+    insert_asset(session, log.id, DRIVABLE_AREAS, "application/json", json.dumps(areas).encode(), {})
+    insert_asset(session, log.id, SENSORS, "application/json", json.dumps(small_drive()).encode(), {})
     return log

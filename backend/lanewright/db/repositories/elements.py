@@ -137,11 +137,15 @@ def close_versions(session: Session, line_id: int, revision: int, versions: Mapp
     """
     if not versions:
         return
-    ends = func.unnest(
-        bindparam("kinds", [key.kind.value for key in versions], type_=ARRAY(Text)),
-        bindparam("ids", [key.id for key in versions], type_=ARRAY(BigInteger)),
-        bindparam("revisions", list(versions.values()), type_=ARRAY(Integer)),
-    ).table_valued("kind", "element_id", "rev_from")
+    ends = (
+        func.unnest(
+            bindparam("kinds", [key.kind.value for key in versions], type_=ARRAY(Text)),
+            bindparam("ids", [key.id for key in versions], type_=ARRAY(BigInteger)),
+            bindparam("revisions", list(versions.values()), type_=ARRAY(Integer)),
+        )
+        .table_valued("kind", "element_id", "rev_from")
+        .render_derived()
+    )
     closed = session.execute(
         update(ElementVersion)
         .where(
@@ -181,7 +185,8 @@ def _at(revision: int) -> tuple[ColumnElement[bool], ...]:
 
 def _select(session: Session, *conditions: ColumnElement[bool]) -> Sequence[_Version]:
     order = (ElementVersion.kind, ElementVersion.element_id, ElementVersion.rev_from)
-    return session.execute(select(*_COLUMNS).where(*conditions).order_by(*order)).tuples().all()
+    rows: Sequence[Any] = session.execute(select(*_COLUMNS).where(*conditions).order_by(*order)).all()
+    return rows
 
 
 def _stored(rows: Sequence[_Version]) -> StoredMap:
