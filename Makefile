@@ -4,6 +4,8 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 .PHONY: help install install-test run stop test test-python test-frontend check check-python check-frontend types format bench demo clean
 MAKEFLAGS += --no-print-directory
+# Where the environment forbids Python to keep compiled modules, each start would take twice as long.
+export PYTHONDONTWRITEBYTECODE :=
 
 bin := .venv/bin
 

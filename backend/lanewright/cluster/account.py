@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import pwd
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,14 +30,20 @@ class Account:
     namespace: tuple[int, int] | None = None
 
     def run(
-        self, command: Sequence[str], *, stdout: int = subprocess.DEVNULL, stderr: int = subprocess.DEVNULL
+        self,
+        command: Sequence[str],
+        *,
+        folder: Path = Path("/"),
+        environment: Mapping[str, str] | None = None,
+        stdout: int = subprocess.DEVNULL,
+        stderr: int = subprocess.DEVNULL,
     ) -> subprocess.CompletedProcess[str]:
-        """subprocess.run in the root folder (the caller's may be closed to the account), without PG* variables."""
+        """subprocess.run in ``folder`` (the caller's may be closed to the account) and without its PG* variables."""
         if self.namespace:
             uid, gid = self.namespace
             command = ["unshare", "--user", f"--map-user={uid}", f"--map-group={gid}", *command]
         uid_after, gid_after = self.substitute or (None, None)
-        environment = {name: value for name, value in os.environ.items() if not name.startswith("PG")}
+        inherited = {name: value for name, value in os.environ.items() if not name.startswith("PG")}
         return subprocess.run(
             command,
             check=False,
@@ -45,8 +51,8 @@ class Account:
             stdin=subprocess.DEVNULL,
             stdout=stdout,
             stderr=stderr,
-            cwd="/",
-            env=environment | {"LC_ALL": "C.UTF-8", "TZ": "UTC"},
+            cwd=folder,
+            env=inherited | {"LC_ALL": "C.UTF-8", "TZ": "UTC"} | dict(environment or {}),
             user=uid_after,
             group=gid_after,
             extra_groups=[] if self.substitute else None,

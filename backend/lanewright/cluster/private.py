@@ -98,14 +98,18 @@ class PrivateCluster:
             try:
                 yield url
             finally:
-                with self._locked():
-                    try:
-                        fcntl.flock(users, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                    except BlockingIOError:
-                        pass  # somebody else still works with it
-                    else:
-                        if not (self.home / "cluster.kept").exists():
-                            self._down()
+                users.close()
+                self.down_unless_used()
+
+    def down_unless_used(self) -> None:
+        """Stops the cluster when nobody holds a lease on it and nobody asked to ``keep`` it."""
+        with self._locked(), (self.home / "cluster.users").open("a") as users:
+            try:
+                fcntl.flock(users, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                return  # somebody still works with it
+            if not (self.home / "cluster.kept").exists():
+                self._down()
 
     def status(self) -> ClusterStatus:
         """How it stands, without touching anything."""
@@ -141,6 +145,8 @@ class PrivateCluster:
 
     def _attach(self) -> Path | None:
         """The socket of the server that runs; one that is still recovering from a crash is waited for."""
+        if postmaster.find(self.data) is None:
+            return None
         command = [find_programs(self._major())["pg_isready"], "--quiet", "--timeout", "5"]
         deadline = time.monotonic() + READINESS_S
         while server := postmaster.find(self.data):
@@ -202,9 +208,10 @@ class PrivateCluster:
         socket_folder = configuration.make_socket_folder(self.folder, account)
         postmaster.clear_remains(self.data, socket_folder)
         configuration.write(self.data, socket_folder, account, durable=self.durable)
-        command = [programs["pg_ctl"], "start", "--pgdata", str(self.data), "--log", str(self.log)]
-        # Its output goes nowhere: the server inherits it, and a pipe would keep the caller waiting for the server's end.
-        started = account.run([*command, "--wait", "--timeout", f"{READINESS_S:.0f}"])
+        command = [programs["pg_ctl"], "start", "--log", self.log.name, "--wait", "--timeout", f"{READINESS_S:.0f}"]
+        # No path as an argument: pg_ctl hands those to a shell. Its output goes nowhere: the server inherits it, and a
+        # pipe would keep the caller waiting for the server's end.
+        started = account.run(command, folder=self.folder, environment={"PGDATA": str(self.data)})
         if started.returncode != 0:
             reason = _last_line(self.log.read_text(errors="replace")) if self.log.exists() else "no log was written"
             raise ClusterError(f"PostgreSQL does not start: {reason}", mend=f"See {self.log}.")

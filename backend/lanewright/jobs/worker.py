@@ -1,0 +1,37 @@
+"""Runs the background jobs of one database."""
+
+from __future__ import annotations
+
+from procrastinate import App, PsycopgConnector
+
+from lanewright.jobs import maintenance
+
+HEARTBEAT_S = 5.0
+FORGET_WORKER_AFTER_S = 600.0
+"""Far above maintenance.STALLED_AFTER_S: the sweep finds no jobs of a worker whose row is gone (procrastinate 1518)."""
+GRACE_S = 10.0
+"""How long running jobs may go on when the worker is told to stop; the sweep retries what is cut off."""
+
+
+def make_queue(url: str) -> App:
+    """The job queue in this database, with every task that Lanewright knows."""
+    queue = App(connector=PsycopgConnector(conninfo=url))
+    queue.add_tasks_from(maintenance.tasks, namespace="maintenance")
+    return queue
+
+
+async def run_worker(url: str, *, wait: bool = True) -> None:
+    """Takes jobs until a signal ends it; with ``wait=False`` only until none is due."""
+    queue = make_queue(url)
+    async with queue.open_async():
+        # Before the worker forgets others: after a long stop, all rows are old enough for that.
+        await maintenance.retry_stalled_jobs(queue.job_manager)
+        await queue.run_worker_async(
+            wait=wait,
+            concurrency=2,  # a nightly verification must not hold up the sweep
+            additional_context={"database_url": url},
+            update_heartbeat_interval=HEARTBEAT_S,
+            stalled_worker_timeout=FORGET_WORKER_AFTER_S,
+            shutdown_graceful_timeout=GRACE_S,
+            delete_jobs="successful",
+        )
