@@ -9,7 +9,7 @@ import pytest
 
 from lanewright.core.errors import InvalidInput
 from lanewright.formats import av2_log
-from lanewright.formats.av2_log import Layout, find_logs, open_log
+from lanewright.formats.av2_log import Layout, open_log
 
 TBV_ID = "VvgE5LfOzIahbS266MFW7tP2al00LhQn__Autumn_2020"
 SENSOR_ID = "7fab2350-7eaf-3b7e-a39d-6937a4c1bede"
@@ -162,19 +162,6 @@ def test_a_folder_with_too_many_files_is_refused(tmp_path: Path, monkeypatch: py
     put(root, *(f"sensors/lidar/{i}.feather" for i in range(5)))
     with pytest.raises(InvalidInput, match=r"more than 5 files"):
         open_log(root)
-
-
-def test_logs_are_found_below_a_folder_broken_ones_too(tmp_path: Path) -> None:
-    good = make_log(tmp_path / "val")
-    without_map = tmp_path / "train" / SENSOR_ID
-    without_map.mkdir(parents=True)
-    (tmp_path / "notes").mkdir()
-    assert find_logs(tmp_path) == (without_map, good)
-    assert find_logs(good) == (good,)
-    with pytest.raises(InvalidInput, match="holds no log"):
-        find_logs(tmp_path / "notes")
-    with pytest.raises(InvalidInput, match="is not a folder"):
-        find_logs(tmp_path / "nowhere")
 
 
 def test_real_logs_open(real_log: Path) -> None:

@@ -21,7 +21,6 @@ INTRINSICS = "calibration/intrinsics.feather"
 EXTRINSICS = "calibration/egovehicle_SE3_sensor.feather"
 LIDAR = "lidar"
 """Name of the sensor whose files are lidar sweeps; every other sensor is a camera."""
-_SEARCH_DEPTH = 3
 MOST_FILES = 200_000
 """The longest log of the dataset (117 s, nine cameras) has some 25,000."""
 
@@ -107,30 +106,6 @@ class LogDirectory:
             sensor = match["camera"] or LIDAR
             found.setdefault(sensor, []).append(SensorFile(sensor, int(time), file))
         return {sensor: tuple(sorted(found[sensor], key=lambda f: f.timestamp_ns)) for sensor in sorted(found)}
-
-
-def find_logs(path: Path) -> tuple[Path, ...]:
-    """The folder itself if it is a log, else all logs up to three levels below it, sorted; broken ones among them.
-
-    Raises:
-        InvalidInput: it is no folder, or no log is there.
-    """
-    if not path.is_dir():
-        raise InvalidInput("is not a folder", "Give the folder of a log, or of logs.", Place(file=str(path)))
-    found = tuple(_logs(path, _SEARCH_DEPTH))
-    if not found:
-        raise InvalidInput("holds no log", "Give the folder of a log, or of logs.", Place(file=str(path)))
-    return found
-
-
-def _logs(folder: Path, depth: int) -> Iterator[Path]:
-    name = Path(os.path.abspath(folder)).name  # noqa: PTH100 - "." has no name of its own
-    if (folder / "map").is_dir() or any(pattern.fullmatch(name) for pattern in _LOG_IDS.values()):
-        yield folder
-    elif depth > 0:
-        for child in sorted(folder.iterdir()):
-            if child.is_dir() and not child.name.startswith("."):
-                yield from _logs(child, depth - 1)
 
 
 def open_log(path: Path) -> LogDirectory:

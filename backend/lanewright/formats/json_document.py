@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -25,11 +25,12 @@ Locate = Callable[[JsonPath], Place]
 
 BYTE_ORDER_MARK = "\ufeff"
 _MOST_DIGITS = 300  # beyond it a whole number is no double any more, and parsing it is quadratic
-_STRINGS = re.compile(rb'"(?:[^"\\]++|\\.)*+(?:"|\\?\Z)', re.DOTALL)
 _SUSPICIOUS_ESCAPE = re.compile(r"\\u(?:0000|[dD][89a-fA-F])")
 _DEPTH_STEP = np.zeros(256, dtype=np.int8)
 _DEPTH_STEP[[ord("{"), ord("[")]] = 1
 _DEPTH_STEP[[ord("}"), ord("]")]] = -1
+_OPENS_NODE = np.isin(np.arange(256), [ord("{"), ord("["), ord(",")])
+_CHUNK_BYTES = MEBIBYTE
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +39,7 @@ class Limits:
 
     size: int = 32 * MEBIBYTE
     depth: int = 32
-    nodes: int = 2_000_000
+    nodes: int = 1_000_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,19 +103,26 @@ def _parse(data: bytes, limits: Limits, locate: Locate) -> JsonDocument:
         ) from None
     if refused or _SUSPICIOUS_ESCAPE.search(body):
         _refuse_marked(value, locate)
+    if refused:  # the mark itself was lost, under a key that stands twice
+        raise InvalidInput(refused[0].problem, refused[0].mend)
     return JsonDocument(text, value)
 
 
 def _check_shape(data: bytes, limits: Limits) -> None:
     """Depth and node count from the brackets and commas outside strings, before anything is built."""
-    bare = np.frombuffer(_STRINGS.sub(b"", data), dtype=np.uint8)
-    depth = int(np.cumsum(_DEPTH_STEP[bare], dtype=np.int32).max(initial=0))
-    if depth > limits.depth:
-        raise InvalidInput(
-            f"nests {depth} levels deep, more than the {limits.depth} allowed", "Check that it is what was meant."
-        )
-    counts = np.bincount(bare, minlength=256)
-    nodes = int(counts[ord("{")] + counts[ord("[")] + counts[ord(",")])
+    # With escaped quotes out of the way, every other quote closes a string. (Outside of strings, where the parser stops
+    # at a backslash, this may go wrong only behind that place.)
+    bare = np.frombuffer(data.replace(b"\\\\", b"__").replace(b'\\"', b"__"), dtype=np.uint8)
+    depth, nodes, in_string = 0, 0, np.uint8(0)
+    for start in range(0, len(bare), _CHUNK_BYTES):
+        chunk = bare[start : start + _CHUNK_BYTES]
+        quotes = np.cumsum(chunk == ord('"'), dtype=np.uint8) + in_string  # wraps, which keeps odd odd
+        outside = quotes % 2 == 0
+        depths = depth + np.cumsum(_DEPTH_STEP[chunk] * outside, dtype=np.int64)
+        if depths.max() > limits.depth:
+            raise InvalidInput(f"nests more than the {limits.depth} levels allowed", "Check that it is what was meant.")
+        nodes += int(np.count_nonzero(_OPENS_NODE[chunk] & outside))
+        depth, in_string = int(depths[-1]), quotes[-1] % np.uint8(2)
     if nodes > limits.nodes:
         raise InvalidInput(
             f"holds {nodes:,} values, more than the {limits.nodes:,} allowed", "Check that it is what was meant."
@@ -122,29 +130,35 @@ def _check_shape(data: bytes, limits: Limits) -> None:
 
 
 def _decoder(refused: list[_Refused]) -> json.JSONDecoder:
-    def refuse(problem: str, mend: str, key: str | None = None) -> _Refused:
+    """A decoder that leaves a mark where it meets the first thing that may not be, and adds that to ``refused``."""
+
+    def refuse(instead: Any, problem: str, mend: str, key: str | None = None) -> Any:
+        if refused:
+            return instead
         refused.append(_Refused(problem, mend, key))
-        return refused[-1]
+        return refused[0]
 
-    def number(text: str) -> float | _Refused:
+    def number(text: str) -> Any:
         value = float(text)
-        return value if math.isfinite(value) else refuse(f"is {text:.40}, too large a number", "Write a finite number.")
+        if math.isfinite(value):
+            return value
+        return refuse(0.0, f"is {text:.40}, too large a number", "Write a finite number.")
 
-    def whole_number(text: str) -> int | _Refused:
-        if len(text) > _MOST_DIGITS:
-            return refuse(f"is a number of {len(text)} digits", "Write a number of a sensible size.")
-        return int(text)
+    def whole_number(text: str) -> Any:
+        if len(text) <= _MOST_DIGITS:
+            return int(text)
+        return refuse(0, f"is a number of {len(text)} digits", "Write a number of a sensible size.")
 
-    def constant(text: str) -> _Refused:
-        return refuse(f"is {text}, not a number of JSON", "Write a finite number.")
+    def constant(text: str) -> Any:
+        return refuse(0.0, f"is {text}, not a number of JSON", "Write a finite number.")
 
-    def members(pairs: list[tuple[str, Any]]) -> dict[str, Any] | _Refused:
+    def members(pairs: list[tuple[str, Any]]) -> Any:
         value = dict(pairs)
         if len(value) == len(pairs):
             return value
         seen: set[str] = set()
         twice = next(key for key, _ in pairs if key in seen or seen.add(key))  # type: ignore[func-returns-value]
-        return refuse("stands twice in one object", "Keep one of the two.", twice)
+        return refuse(value, "stands twice in one object", "Keep one of the two.", twice)
 
     return json.JSONDecoder(
         parse_float=number, parse_int=whole_number, parse_constant=constant, object_pairs_hook=members
@@ -153,20 +167,28 @@ def _decoder(refused: list[_Refused]) -> json.JSONDecoder:
 
 def _refuse_marked(root: Any, locate: Locate) -> None:
     """Walk the tree (without recursion, in the order of the file) to the first thing that is refused."""
-    pending: list[tuple[JsonPath, Any]] = [((), root)]
+    pending: list[Iterator[tuple[JsonPath, Any]]] = [iter([((), root)])]
     while pending:
-        path, value = pending.pop()
-        if isinstance(value, _Refused):
+        path, value = next(pending[-1], (None, None))
+        if path is None:
+            pending.pop()
+        elif isinstance(value, _Refused):
             where = path if value.key is None else (*path, value.key)
             raise InvalidInput(value.problem, value.mend, locate(where))
-        if isinstance(value, dict):
-            for key in value:
-                _check_characters(key, path, "has a key that", locate)
-            pending.extend(((*path, key), item) for key, item in reversed(value.items()))
-        elif isinstance(value, list):
-            pending.extend(((*path, i), value[i]) for i in reversed(range(len(value))))
         elif isinstance(value, str):
             _check_characters(value, path, "is text that", locate)
+        elif isinstance(value, dict | list):
+            pending.append(_children(path, value, locate))
+
+
+def _children(path: JsonPath, value: dict[str, Any] | list[Any], locate: Locate) -> Iterator[tuple[JsonPath, Any]]:
+    if isinstance(value, list):
+        for position, item in enumerate(value):
+            yield (*path, position), item
+        return
+    for key, item in value.items():
+        _check_characters(key, path, "has a key that", locate)
+        yield (*path, key), item
 
 
 def _check_characters(value: str, path: JsonPath, subject: str, locate: Locate) -> None:
