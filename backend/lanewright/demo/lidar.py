@@ -18,7 +18,8 @@ from lanewright.demo.path import Array
 from lanewright.demo.scenery import Walls, scenery
 
 SWEEP_EVERY_M = 5.0
-"""A subset of the 10 Hz sweeps is kept: the demo stays small."""
+SWEEP_EVERY_NS = 800_000_000
+"""Of the 10 Hz sweeps one is kept per so many metres, or so much time where the drive is slow: the demo stays small."""
 REACH_M = 70.0
 AZIMUTHS = 600
 LASERS = 64
@@ -52,11 +53,15 @@ def sweeps(
     bounds = poses.trajectory.buffer(REACH_M).bounds
     surface = painted(state, pavement, bounds)
     walls = scenery(pavement, generator)
-    last: Array | None = None
+    last: int | None = None
     for row in poses.sweeps:
         here = poses.positions[row, :2]
-        if last is None or np.linalg.norm(here - last) >= SWEEP_EVERY_M:
-            last = here
+        if (
+            last is None
+            or np.linalg.norm(here - poses.positions[last, :2]) >= SWEEP_EVERY_M
+            or poses.timestamps[row] - poses.timestamps[last] >= SWEEP_EVERY_NS
+        ):
+            last = row
             yield _sweep(row, poses, surface, walls.near(float(here[0]), float(here[1]), REACH_M), ground, generator)
 
 
