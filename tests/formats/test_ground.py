@@ -112,7 +112,7 @@ def test_bad_rasters_are_refused(raster: bytes, key: str | None, problem: str, m
         ({"t": [1.0]}, "t", "is not 2 numbers"),
         ({"t": [1.0, True]}, "t", "is not 2 numbers"),
         ({"s": 0}, "s", "is 0"),
-        ({"s": "3.3"}, "s", "is not 1 numbers"),
+        ({"s": "3.3"}, "s", "is not 1 number"),
     ],
 )
 def test_bad_placements_are_refused(change: dict[str, Any], key: str, problem: str) -> None:

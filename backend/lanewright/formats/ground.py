@@ -135,5 +135,9 @@ def _numbers(value: dict[str, Any], key: str, count: int) -> list[float]:
         or len(numbers) != count
         or any(isinstance(n, bool) or not isinstance(n, int | float) or not abs(n) <= 1e9 for n in numbers)
     ):
-        raise InvalidInput(f"is not {count} numbers", "Write R as 4, t as 2 and s as one number.", Place(key=key))
+        raise InvalidInput(
+            f"is not {count} number{'s' if count > 1 else ''}",
+            "Write R as 4, t as 2 and s as one number.",
+            Place(key=key),
+        )
     return [float(n) for n in numbers]
