@@ -6,6 +6,7 @@ import { boundary, drawn, drawnLine, markOf, neighborOf, rounded, samePlace, wit
 import { mirrored } from "../marks";
 import { offsetLine } from "../offset";
 import { GONE, type Planned, refuse, selectionOf } from "../plan";
+import { planOf } from "../planOf";
 import { at, distance, lengthOf, turnedLeft, unit } from "../polyline";
 import { smoothLine } from "../spline";
 import type { DrawLaneOptions } from "../state";
@@ -184,9 +185,9 @@ export function planCrossing(
   const attributes = { id: newId, edge1: edge(1), edge2: edge(-1) };
   work.put({ kind: "pedestrian_crossing", id: newId, attributes });
   const key = { kind: "pedestrian_crossing", id: newId } as const;
-  return { note: `Inserted crossing ${newId}`, changes: work.changes(), select: selectionOf(key) };
+  return planOf(work, `Inserted crossing ${newId}`, selectionOf(key));
 }
 
 function inserted(work: Workpiece, id: number, note: string): Planned {
-  return { note, changes: work.changes(), select: selectionOf({ kind: "lane_segment", id }) };
+  return planOf(work, note, selectionOf({ kind: "lane_segment", id }));
 }

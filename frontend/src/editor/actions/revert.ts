@@ -3,6 +3,7 @@ import { elementOf, type MapDocument } from "../document";
 import type { ElementKey, Lane, Line, Side } from "../elements";
 import { boundary, markOf, neighborOf, sameLine, samePlace, withBoundary, withNeighbor } from "../lines";
 import { GONE, nameOf, type Planned, refuse, selectionOf } from "../plan";
+import { planOf } from "../planOf";
 import { sharersOf, together } from "../topology";
 import { Workpiece } from "../workpiece";
 import { withoutMention } from "./links";
@@ -23,7 +24,7 @@ export function planRevert(base: MapDocument, document: MapDocument, key: Elemen
   const work = new Workpiece(document);
   if (original.kind === "pedestrian_crossing") {
     work.put(original);
-    return { note, changes: work.changes(), select: selectionOf(key) };
+    return planOf(work, note, selectionOf(key));
   }
   if (work.lane(key.id) === null) work.putLane(withoutMentionOfMissing(original.attributes, base, document));
   revertLinks(work, base, original.attributes);
@@ -31,9 +32,7 @@ export function planRevert(base: MapDocument, document: MapDocument, key: Elemen
     revertBoundary(work, base, original.attributes, side);
     const lane = work.lane(key.id);
     if (lane === null) return refuse(GONE);
-    if (markOf(lane, side) !== markOf(original.attributes, side)) {
-      paint(work, lane, side, markOf(original.attributes, side));
-    }
+    paint(work, lane, side, markOf(original.attributes, side));
   }
   const { lane_type, is_intersection } = original.attributes;
   const lane = work.lane(key.id);
@@ -41,8 +40,7 @@ export function planRevert(base: MapDocument, document: MapDocument, key: Elemen
   if (lane.lane_type !== lane_type || lane.is_intersection !== is_intersection) {
     work.putLane({ ...lane, lane_type, is_intersection });
   }
-  const selection = selectionOf(key);
-  return { note, changes: work.changes(), select: selection };
+  return planOf(work, note, selectionOf(key));
 }
 
 /** Ids outside the imported map are its rim and stay; ids of lanes deleted since go. */
@@ -133,7 +131,7 @@ function revertBoundary(work: Workpiece, base: MapDocument, original: Lane, side
   const line = boundary(original, side);
   const now = work.lane(original.id);
   if (now === null) return;
-  const copies: { lane: number; side: Side; line: Line }[] = [{ lane: original.id, side, line }];
+  const copies: Restored[] = [{ lane: original.id, side, line }];
   for (const sharer of sharersOf(base, original, side)) {
     const imported = base.lanes.get(sharer.lane);
     if (imported !== undefined)
@@ -143,8 +141,10 @@ function revertBoundary(work: Workpiece, base: MapDocument, original: Lane, side
     if (copies.some((copy) => copy.lane === sharer.lane && copy.side === sharer.side)) continue;
     copies.push({ lane: sharer.lane, side: sharer.side, line: sharer.reversed ? line.toReversed() : line });
   }
+  const isCopy = (lane: number, name: Side) =>
+    copies.some((copy) => copy.lane === lane && copy.side === name);
+  for (const copy of copies) moveOthersAlong(work, copy, isCopy);
   for (const copy of copies) {
-    moveOthersAlong(work, copy.lane, copy.side, copy.line);
     const lane = work.lane(copy.lane);
     if (lane === null || sameLine(boundary(lane, copy.side), copy.line)) continue;
     work.putLane(withBoundary(lane, copy.side, copy.line));
@@ -152,8 +152,18 @@ function revertBoundary(work: Workpiece, base: MapDocument, original: Lane, side
   for (const index of [0, -1] as const) pullJoint(work, base, original, side, index);
 }
 
-/** Vertices that other lanes share with this line go to where the line's vertex goes. */
-function moveOthersAlong(work: Workpiece, id: number, side: Side, line: Line): void {
+interface Restored {
+  readonly lane: number;
+  readonly side: Side;
+  readonly line: Line;
+}
+
+/** Vertices of other lines that lie on this one go to where its vertices go. */
+function moveOthersAlong(
+  work: Workpiece,
+  { lane: id, side, line }: Restored,
+  isCopy: (lane: number, side: Side) => boolean,
+): void {
   const lane = work.lane(id);
   if (lane === null) return;
   const current = boundary(lane, side);
@@ -161,7 +171,10 @@ function moveOthersAlong(work: Workpiece, id: number, side: Side, line: Line): v
   for (const index of indices) {
     const target = index === current.length - 1 ? line.at(-1) : line[index];
     if (target === undefined || samePlace(current[index], target)) continue;
-    moveCopies(work, together(work.document, { lane: id, side, index }), target);
+    const others = together(work.document, { lane: id, side, index }).filter(
+      (copy) => !isCopy(copy.lane, copy.side),
+    );
+    moveCopies(work, others, target);
   }
 }
 

@@ -1,23 +1,13 @@
 /** Moving, adding and removing vertices. Copies of one vertex in several lanes move as one. */
 import { elementOf, type MapDocument } from "../document";
-import type { ElementKey, Line, LineName, Place, Point, VertexRef } from "../elements";
+import type { ElementKey, Line, Place, Point, VertexRef } from "../elements";
 import { isSide } from "../elements";
-import {
-  boundary,
-  drawn,
-  hasRepeatedVertex,
-  lineOf,
-  ringOf,
-  rounded,
-  samePlace,
-  withBoundary,
-} from "../lines";
+import { boundary, drawn, lineOf, rounded, samePlace, withBoundary } from "../lines";
 import { GONE, nameOf, type Planned, refuse } from "../plan";
+import { planOf } from "../planOf";
 import { middle } from "../polyline";
 import { isJoint, type Occurrence, occurrencesAt, together } from "../topology";
 import { Workpiece } from "../workpiece";
-
-const REPEATED = "Two vertices of one line would lie on each other. Remove one of them instead.";
 
 /** Where a drawn vertex comes to lie: exactly on an existing vertex, else rounded to the centimetre. */
 export function landing(document: MapDocument, to: Place): Place {
@@ -33,14 +23,14 @@ export function planVertexMove(document: MapDocument, vertex: VertexRef, to: Pla
   if (samePlace(point, target)) return { note: `Moved a vertex of ${nameOf(vertex)}`, changes: [] };
   if (element.kind === "pedestrian_crossing") {
     moveCrossingVertices(work, element, (at) => (at === point ? target : null));
-    return finished(work, `Moved a corner of ${nameOf(vertex)}`);
+    return planOf(work, `Moved a corner of ${nameOf(vertex)}`);
   }
   if (!isSide(vertex.side)) return refuse(GONE);
   const copies = together(document, { lane: vertex.id, side: vertex.side, index: vertex.index });
   moveCopies(work, copies, drawn(target));
   const others = new Set(copies.map(({ lane }) => lane)).size - 1;
   const shared = others === 0 ? "" : others === 1 ? " and of 1 other lane" : ` and of ${others} other lanes`;
-  return finished(work, `Moved a vertex of ${nameOf(vertex)}${shared}`);
+  return planOf(work, `Moved a vertex of ${nameOf(vertex)}${shared}`);
 }
 
 /** Every vertex of the element by the same offset; what joins or borders it follows. */
@@ -51,7 +41,7 @@ export function planElementMove(document: MapDocument, key: ElementKey, by: Plac
   const moved = (point: Place) => rounded({ x: point.x + by.x, y: point.y + by.y });
   if (element.kind === "pedestrian_crossing") {
     moveCrossingVertices(work, element, moved);
-    return finished(work, `Moved ${nameOf(key)}`);
+    return planOf(work, `Moved ${nameOf(key)}`);
   }
   const targets = new Map<Occurrence, Point>();
   for (const side of ["left", "right"] as const) {
@@ -61,7 +51,7 @@ export function planElementMove(document: MapDocument, key: ElementKey, by: Plac
     });
   }
   replacePoints(work, targets);
-  return finished(work, `Moved ${nameOf(key)}`);
+  return planOf(work, `Moved ${nameOf(key)}`);
 }
 
 export function planVertexInsertion(document: MapDocument, vertex: VertexRef, place?: Place): Planned {
@@ -88,8 +78,7 @@ export function planVertexInsertion(document: MapDocument, vertex: VertexRef, pl
       }
     }
   }
-  const planned = finished(work, `Added a vertex to ${nameOf(vertex)}`);
-  return "refused" in planned ? planned : { ...planned, select: selected(vertex, vertex.index + 1) };
+  return planOf(work, `Added a vertex to ${nameOf(vertex)}`, selected(vertex, vertex.index + 1));
 }
 
 export function planVertexRemoval(document: MapDocument, vertex: VertexRef): Planned {
@@ -112,9 +101,8 @@ export function planVertexRemoval(document: MapDocument, vertex: VertexRef): Pla
     if (shorter.length < 2) return refuse("A boundary needs at least two vertices.");
     work.putLane(withBoundary(lane, side, shorter));
   }
-  const planned = finished(work, `Removed a vertex of ${nameOf(vertex)}`);
-  if ("refused" in planned) return planned;
-  return { ...planned, select: selected(vertex, Math.min(vertex.index, line.length - 2)) };
+  const next = Math.min(vertex.index, line.length - 2);
+  return planOf(work, `Removed a vertex of ${nameOf(vertex)}`, selected(vertex, next));
 }
 
 /** Puts one point in the place of all the given copies. */
@@ -150,22 +138,6 @@ function moveCrossingVertices(
     });
   const { edge1, edge2 } = element.attributes;
   work.put({ ...element, attributes: { ...element.attributes, edge1: moved(edge1), edge2: moved(edge2) } });
-}
-
-/** The plan of what was done, unless a line came out with two vertices on each other. */
-function finished(work: Workpiece, note: string): Planned {
-  const changes = work.changes();
-  for (const { before, after } of changes) {
-    if (after === null) continue;
-    const names: readonly LineName[] = after.kind === "lane_segment" ? ["left", "right"] : ["edge1", "edge2"];
-    for (const name of names) {
-      const line = lineOf(after, name);
-      const was = before && lineOf(before, name);
-      if (line !== null && line !== was && hasRepeatedVertex(line)) return refuse(REPEATED);
-    }
-    if (ringOf(after).length < 4) return refuse("An element needs at least four vertices.");
-  }
-  return { note, changes };
 }
 
 function selected(vertex: VertexRef, index: number) {
