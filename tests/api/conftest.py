@@ -11,13 +11,16 @@ import pytest
 from fastapi import FastAPI
 from sqlalchemy.orm import Session
 from starlette.testclient import TestClient
+from tests.api.desk import Desk
+from tests.stored_logs import add_log
 
 from lanewright.api.app import create_app
 from lanewright.api.cross_site import CSRF_HEADER
 from lanewright.api.deps import COOKIE, get_session
 from lanewright.core.workflow import Role
 from lanewright.db.models import Account
-from lanewright.services import sessions
+from lanewright.services import sessions, tasks
+from lanewright.services.actor import Actor
 from lanewright.services.passwords import hash_password
 from lanewright.services.sessions import SessionRules
 from lanewright.settings import Settings
@@ -28,6 +31,7 @@ RULES = SessionRules(idle=datetime.timedelta(hours=12), absolute=datetime.timede
 
 ClientFor = Callable[..., TestClient]
 AddAccount = Callable[..., Account]
+DeskOf = Callable[[Account], Desk]
 
 
 @lru_cache(maxsize=1)
@@ -96,3 +100,29 @@ def client_for(app: FastAPI, session: Session, add_account: AddAccount) -> Clien
         return made
 
     return client
+
+
+@pytest.fixture
+def anna(add_account: AddAccount) -> Account:
+    return add_account(Role.ANNOTATOR, "anna")
+
+
+@pytest.fixture
+def task_id(session: Session, add_account: AddAccount, anna: Account) -> int:
+    """A task of anna's on the small log, edited from current to prior; the admin who made it is called boss."""
+    add_log(session)
+    boss = add_account(Role.ADMIN, "boss")
+    actor = Actor(boss.id, boss.name, Role.ADMIN)
+    return tasks.create(session, actor, log_id="log-one", direction=None, assignee_id=anna.id).id
+
+
+@pytest.fixture
+def desk_of(client_for: ClientFor, task_id: int) -> DeskOf:
+    """Somebody at work on that task."""
+    return lambda account: Desk(client_for(account), task_id)
+
+
+@pytest.fixture
+def desk(desk_of: DeskOf, anna: Account) -> Desk:
+    """anna at work on her task."""
+    return desk_of(anna)

@@ -3,47 +3,17 @@
 from __future__ import annotations
 
 import uuid
-from collections.abc import Callable
 
 import pytest
 from sqlalchemy import select
 from sqlalchemy.orm import Session
-from tests.api.conftest import AddAccount, ClientFor
+from tests.api.conftest import AddAccount, DeskOf
 from tests.api.desk import Desk, insert_crossing, line, remove_crossing, repaint, table_counts, update
-from tests.stored_logs import add_log
 
 from lanewright.api.schemas.findings import ViolationOut
 from lanewright.api.schemas.revisions import ConflictingElement, SavedRevision
 from lanewright.core.workflow import Role
 from lanewright.db.models import Account, AtomicChangeRow, Draft, ElementVersion, Revision, Task
-from lanewright.services import tasks
-from lanewright.services.actor import Actor
-
-DeskOf = Callable[[Account], Desk]
-
-
-@pytest.fixture
-def anna(add_account: AddAccount) -> Account:
-    return add_account(Role.ANNOTATOR, "anna")
-
-
-@pytest.fixture
-def task_id(session: Session, add_account: AddAccount, anna: Account) -> int:
-    """A task of anna's on the small log, edited from current to prior."""
-    add_log(session)
-    boss = add_account(Role.ADMIN, "boss")
-    actor = Actor(boss.id, boss.name, Role.ADMIN)
-    return tasks.create(session, actor, log_id="log-one", direction=None, assignee_id=anna.id).id
-
-
-@pytest.fixture
-def desk_of(client_for: ClientFor, task_id: int) -> DeskOf:
-    return lambda account: Desk(client_for(account), task_id)
-
-
-@pytest.fixture
-def desk(desk_of: DeskOf, anna: Account) -> Desk:
-    return desk_of(anna)
 
 
 def test_a_save_becomes_the_next_revision(desk: Desk, session: Session, anna: Account) -> None:

@@ -87,6 +87,16 @@ class Departure:
         )
 
 
+@dataclass(frozen=True, slots=True)
+class VersionSpan:
+    """A version of an element, live on ``rev_from`` <= revision < ``rev_to``; ``sha256`` as stored."""
+
+    element: Element
+    rev_from: int
+    rev_to: int
+    sha256: bytes
+
+
 def load(session: Session, line_id: int, revision: int) -> StoredMap:
     """The whole map of a line at a revision."""
     return _stored(_select(session, ElementVersion.line_id == line_id, *_at(revision)))
@@ -121,6 +131,16 @@ def load_versions(session: Session, line_id: int, keys: Iterable[ElementKey]) ->
     for element in from_rows([(row[0], row[1], row[2], row[3]) for row in rows]):
         found.setdefault(element.key, []).append(element)
     return found
+
+
+def load_spans(session: Session, line_id: int) -> list[VersionSpan]:
+    """Every version on a line with its span of revisions, by kind, id and first revision."""
+    order = (ElementVersion.kind, ElementVersion.element_id, ElementVersion.rev_from)
+    rows = session.execute(
+        select(*_COLUMNS, ElementVersion.rev_to).where(ElementVersion.line_id == line_id).order_by(*order)
+    ).all()
+    elements = from_rows([(row[0], row[1], row[2], row[3]) for row in rows])
+    return [VersionSpan(element, row[4], row[6], bytes(row[5])) for element, row in zip(elements, rows, strict=True)]
 
 
 def insert_versions(session: Session, line_id: int, revision: int, rows: Sequence[ElementRow]) -> None:

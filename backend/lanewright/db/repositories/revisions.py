@@ -116,6 +116,25 @@ def content_sha256(session: Session, line_id: int, number: int) -> bytes | None:
     return None if found is None else bytes(found)
 
 
+@dataclass(frozen=True, slots=True)
+class StoredRevision:
+    """What is derived of a revision and stored with it."""
+
+    number: int
+    content_sha256: bytes
+    updates: list[Any]
+
+
+def load_derived(session: Session, line_id: int) -> list[StoredRevision]:
+    """The derived values of all revisions of a line, oldest first."""
+    rows = session.execute(
+        select(Revision.number, Revision.content_sha256, Revision.updates)
+        .where(Revision.line_id == line_id)
+        .order_by(Revision.number)
+    )
+    return [StoredRevision(number, bytes(sha256), updates) for number, sha256, updates in rows]
+
+
 def history(session: Session, line_id: int) -> list[HistoryEntry]:
     """All revisions of a line, oldest first."""
     version = ElementVersion
