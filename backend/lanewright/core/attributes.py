@@ -48,6 +48,11 @@ FIELDS: Mapping[ElementKind, Mapping[str, str]] = {
     ElementKind.PEDESTRIAN_CROSSING: _CROSSING_FIELDS,
 }
 """AV2 attribute name -> field of our dataclass, in the order of the file."""
+OPTIONAL_FIELDS: Mapping[ElementKind, Mapping[str, str]] = {
+    ElementKind.LANE_SEGMENT: {"part_of": "part_of"},
+    ElementKind.PEDESTRIAN_CROSSING: {},
+}
+"""Attributes that AV2 does not have: absent where unset, so a file without them stays as it is."""
 
 
 def _bad(key: str, problem: str, mend: str) -> InvalidInput:
@@ -146,6 +151,7 @@ _PARSERS: Mapping[str, Callable[[Any, str], Any]] = {
     "predecessors": _parse_links,
     "right_neighbor_id": _parse_neighbor,
     "left_neighbor_id": _parse_neighbor,
+    "part_of": _parse_neighbor,
 }
 _EXACT_POINTS: Mapping[str, int | None] = {
     "left_lane_boundary": None,
@@ -158,7 +164,7 @@ _EXACT_POINTS: Mapping[str, int | None] = {
 
 def parse_attributes(kind: ElementKind, attributes: Mapping[str, Any], *, drawn: bool = False) -> dict[str, Any]:
     """AV2 attributes -> values by dataclass field. Raises InvalidInput naming the key; unknown keys are refused."""
-    fields = FIELDS[kind]
+    fields = {**FIELDS[kind], **OPTIONAL_FIELDS[kind]}
     parsed: dict[str, Any] = {}
     for name, value in attributes.items():
         if name not in fields:
@@ -192,5 +198,10 @@ def attribute_value(value: Any) -> Any:
 
 
 def element_attributes(element: Element) -> dict[str, Any]:
-    """All AV2 attributes of an element, in the order of the file."""
-    return {name: attribute_value(getattr(element, field)) for name, field in FIELDS[element.key.kind].items()}
+    """All AV2 attributes of an element, in the order of the file; then the optional ones that are set."""
+    kind = element.key.kind
+    attributes = {name: attribute_value(getattr(element, field)) for name, field in FIELDS[kind].items()}
+    for name, field in OPTIONAL_FIELDS[kind].items():
+        if (value := getattr(element, field)) is not None:
+            attributes[name] = attribute_value(value)
+    return attributes

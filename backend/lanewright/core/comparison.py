@@ -10,6 +10,7 @@ from functools import cached_property
 
 from lanewright.core import geometry
 from lanewright.core.claims import NO_CLAIMS, Claims
+from lanewright.core.cuts import cut_alike
 from lanewright.core.elements import ElementKey, ElementKind, MapState, PedestrianCrossing
 from lanewright.core.geometry import Shape, distance_m, hausdorff_m, moved, overlap, polygon, readable_element
 from lanewright.core.linework import Linework
@@ -26,8 +27,7 @@ class Comparison:
     """Base and edited map compared (spec §2: B, E, survivors, deleted, inserted)."""
 
     def __init__(self, base: MapState, edited: MapState, claims: Claims = NO_CLAIMS):
-        self.base = base
-        self.edited = edited
+        self.base, self.edited = cut_alike(base, edited)
         self.claims = claims
         self._moved: dict[int, tuple[bool, bool]] = {}
         self._polygons: dict[tuple[bool, ElementKey], Shape] = {}

@@ -84,6 +84,6 @@ def edits_between(before: MapState, after: MapState) -> tuple[Edit, ...]:
     for key in sorted(old.keys() & new.keys()):
         if old[key] is not new[key] and old[key] != new[key]:
             was, now = element_attributes(old[key]), element_attributes(new[key])
-            changed = {name: value for name, value in now.items() if value != was[name]}
+            changed = {name: now.get(name) for name in {**was, **now} if now.get(name) != was.get(name)}
             updates.append(Edit(Operation.UPDATE, *key, changed))
     return (*deletes, *updates, *inserts)

@@ -77,7 +77,10 @@ class ElementKey(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class LaneSegment:
-    """A lane segment with the 11 properties of the AV2 file. Links may name ids outside the map (the rim)."""
+    """A lane segment with the 11 properties of the AV2 file. Links may name ids outside the map (the rim).
+
+    ``part_of``: the lane of the base that was cut into this part and its siblings (spec §2); no AV2 property.
+    """
 
     id: int
     is_intersection: bool
@@ -90,6 +93,7 @@ class LaneSegment:
     predecessors: tuple[int, ...] = ()
     right_neighbor_id: int | None = None
     left_neighbor_id: int | None = None
+    part_of: int | None = None
 
     @property
     def key(self) -> ElementKey:

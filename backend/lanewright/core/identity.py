@@ -7,7 +7,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from lanewright.core.elements import Element, ElementKey, LaneSegment, Line, MapState
-from lanewright.core.geometry import same_plan
 
 
 def renamed(state: MapState, lanes: Mapping[int, int], crossings: Mapping[int, int] | None = None) -> MapState:
@@ -77,45 +76,71 @@ def joinable(one: LaneSegment, other: LaneSegment) -> bool:
     )
 
 
-def with_series_joined(state: MapState, parts: Sequence[int]) -> MapState:
-    """The state with lanes in series joined into the first of them; whoever named a part names that one."""
-    whole = joined([state.lanes[part] for part in parts])
-    ids = dict.fromkeys(parts, parts[0])
-    gone = set(parts)
-    rest = [_renamed_lane(lane, ids) for key, lane in state.lanes.items() if key not in gone]
-    others: list[Element] = [*rest, _renamed_lane(whole, ids), *state.crossings.values()]
-    return with_neighbors_settled(
-        MapState.of(sorted(others, key=lambda element: element.key)),
-        [whole.id, *(lane.id for lane in rest if whole.id in (lane.left_neighbor_id, lane.right_neighbor_id))],
-    )
+def with_lanes_exchanged(state: MapState, old: Sequence[int], new: Sequence[LaneSegment]) -> MapState:
+    """The state with lanes in series (``old``) taken out and other lanes in series put in their place.
+
+    Links into the first and out of the last stay, inner links are rewritten, and neighbours are found anew: lanes
+    that share a line, point for point, are neighbours.
+    """
+    first, last = state.lanes[old[0]], state.lanes[old[-1]]
+    into = {old[0]: new[0].id}
+    out_of = {old[-1]: new[-1].id}
+    gone = set(old)
+    put_in = [
+        dataclasses.replace(
+            piece,
+            predecessors=_relinked(first.predecessors, out_of, gone) if index == 0 else (new[index - 1].id,),
+            successors=_relinked(last.successors, into, gone) if index == len(new) - 1 else (new[index + 1].id,),
+        )
+        for index, piece in enumerate(new)
+    ]
+    lanes: dict[int, LaneSegment] = {}
+    loose: set[int] = {piece.id for piece in new}
+    for key, lane in state.lanes.items():
+        if key in gone:
+            continue
+        fields: dict[str, Any] = {}
+        if not gone.isdisjoint(lane.successors):
+            fields["successors"] = _relinked(lane.successors, into, gone)
+        if not gone.isdisjoint(lane.predecessors):
+            fields["predecessors"] = _relinked(lane.predecessors, out_of, gone)
+        for name in ("left_neighbor_id", "right_neighbor_id"):
+            if getattr(lane, name) in gone:
+                fields[name] = None
+                loose.add(key)
+        lanes[key] = dataclasses.replace(lane, **fields) if fields else lane
+    lanes |= {piece.id: piece for piece in put_in}
+    found = with_neighbors_found(lanes, loose)
+    elements: list[Element] = [*found.values(), *state.crossings.values()]
+    return MapState.of(sorted(elements, key=lambda element: element.key))
 
 
-def with_neighbors_settled(state: MapState, lanes: Iterable[int]) -> MapState:
-    """The state where the named lanes keep a neighbour id only if the neighbour shares that very line."""
-    changed = []
-    for key in lanes:
-        lane = state.lanes[key]
-        fields: dict[str, Any] = {
-            f"{side}_neighbor_id": None
-            for side in ("left", "right")
-            if (named := getattr(lane, f"{side}_neighbor_id")) is not None
-            and named in state.lanes
-            and not shares_line(lane, state.lanes[named], side)
-        }
-        if fields:
-            changed.append(dataclasses.replace(lane, **fields))
-    return state.replaced(changed) if changed else state
+def _relinked(links: tuple[int, ...], ids: Mapping[int, int], gone: set[int]) -> tuple[int, ...]:
+    return tuple(ids.get(other, other) for other in links if other in ids or other not in gone)
 
 
-def shares_line(lane: LaneSegment, neighbor: LaneSegment, side: str) -> bool:
-    """Whether a neighbour names the lane back and has the same line on the shared side (reversed if oncoming)."""
-    line: Line = getattr(lane, f"{side}_boundary")
-    if side == "left" and neighbor.left_neighbor_id == lane.id and neighbor.right_neighbor_id != lane.id:
-        return same_plan(line, neighbor.left_boundary[::-1])
-    opposite = "right" if side == "left" else "left"
-    return getattr(neighbor, f"{opposite}_neighbor_id") == lane.id and same_plan(
-        line, getattr(neighbor, f"{opposite}_boundary")
-    )
+def with_neighbors_found(lanes: dict[int, LaneSegment], loose: Iterable[int]) -> dict[int, LaneSegment]:
+    """The lanes where each loose one is the neighbour of whoever has the same line beside it and no other there."""
+    by_line: dict[tuple[tuple[float, float], ...], list[tuple[int, str]]] = {}
+    for key, lane in lanes.items():
+        by_line.setdefault(tuple(point[:2] for point in lane.left_boundary), []).append((key, "left"))
+        by_line.setdefault(tuple(point[:2] for point in lane.right_boundary), []).append((key, "right"))
+    for key in sorted(loose):
+        for side, opposite in (("left", "right"), ("right", "left")):
+            if getattr(lanes[key], f"{side}_neighbor_id") is not None:
+                continue
+            line = tuple(point[:2] for point in getattr(lanes[key], f"{side}_boundary"))
+            beside = [(other, opposite) for other, where in by_line.get(line, ()) if where == opposite]
+            if side == "left":
+                beside += [(other, "left") for other, where in by_line.get(line[::-1], ()) if where == "left"]
+            for other, where in sorted(beside):
+                if other != key and getattr(lanes[other], f"{where}_neighbor_id") is None:
+                    mine: dict[str, Any] = {f"{side}_neighbor_id": other}
+                    theirs: dict[str, Any] = {f"{where}_neighbor_id": key}
+                    lanes[key] = dataclasses.replace(lanes[key], **mine)
+                    lanes[other] = dataclasses.replace(lanes[other], **theirs)
+                    break
+    return lanes
 
 
 def unlinked(state: MapState, lanes: Iterable[int], crossings: Iterable[int] = ()) -> MapState:

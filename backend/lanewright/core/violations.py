@@ -12,6 +12,8 @@ from lanewright.core.elements import ElementKind
 class Severity(StrEnum):
     ERROR = "error"
     WARNING = "warning"
+    NONE = "none"
+    """A note: the save settles it by itself (``identity.not_canonical``)."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,13 +8,14 @@ from collections.abc import Iterable
 from lanewright.core.claims import NO_CLAIMS, Claims
 from lanewright.core.comparison import Comparison
 from lanewright.core.edits import edits_between
-from lanewright.core.elements import MapState
+from lanewright.core.elements import ElementKey, MapState
 from lanewright.core.rules import (
     change_exclusive,
     deletion_not_rightmost,
     element_duplicate,
     geometry_invalid,
     identity_displaced,
+    identity_not_canonical,
     identity_rerouted,
     identity_reused,
     insertion_not_rightmost,
@@ -34,6 +35,7 @@ RULES: tuple[Rule, ...] = (
     replacement_function_preserved.RULE,
     identity_rerouted.RULE,
     identity_displaced.RULE,
+    identity_not_canonical.RULE,
     insertion_not_rightmost.RULE,
     deletion_not_rightmost.RULE,
     element_duplicate.RULE,
@@ -65,8 +67,14 @@ def check_of(comparison: Comparison) -> tuple[Violation, ...]:
 
 def findings(comparison: Comparison) -> tuple[Violation, ...]:
     """The violations without their fixes, by id."""
-    found = [violation for rule in RULES for violation in rule.find(comparison)]
-    return tuple(sorted(_standing(found), key=lambda violation: violation.id))
+    found = [
+        violation for rule in RULES if rule is not identity_not_canonical.RULE for violation in rule.find(comparison)
+    ]
+    standing = _standing(found)
+    # The canonical form is worked out only for updates in which nothing else is wrong: it gives way to all others.
+    told = {ElementKey(one.kind, element) for one in standing if not one.inherited for element in one.elements}
+    standing += identity_not_canonical.find_beside(comparison, told)
+    return tuple(sorted(standing, key=lambda violation: violation.id))
 
 
 def _fixes(comparison: Comparison, violation: Violation, found: tuple[Violation, ...]) -> tuple[Fix, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from lanewright.core.comparison import Comparison
 from lanewright.core.elements import ElementKind
-from lanewright.core.roadgraph import FINISH, START, Link
+from lanewright.core.places import rerouted
 from lanewright.core.rules.remedy import identity_remedies
 from lanewright.core.rules.rule import Rule
 from lanewright.core.violations import Severity, Violation
@@ -29,15 +29,6 @@ def find(comparison: Comparison) -> Iterator[Violation]:
             f"Lane {upstream} {what} to lane {downstream}: one of them has another place in the road graph now, "
             "so it cannot keep its id. Delete it and insert it anew.",
         )
-
-
-def rerouted(comparison: Comparison, link: Link) -> bool:
-    """Whether the two linked endpoints come to share a vertex or cease to, and no lane merely keeps its function."""
-    finish, start = (link[0], FINISH), (link[1], START)
-    survivors = comparison.surviving_lanes
-    was = start in comparison.base_graph.vertex(finish, survivors)
-    now = start in comparison.edited_graph.vertex(finish, survivors)
-    return was != now and not any(comparison.keeps_function(lane) for lane in link)
 
 
 RULE = Rule(

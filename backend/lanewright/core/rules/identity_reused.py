@@ -10,7 +10,7 @@ from lanewright.core.comparison import Comparison, same_crossing
 from lanewright.core.elements import ElementKey, ElementKind
 from lanewright.core.geometry import polygon
 from lanewright.core.identity import fresh_id, renamed
-from lanewright.core.rules.identity_displaced import FAR_M
+from lanewright.core.places import FAR_M
 from lanewright.core.rules.rule import Remedy, Rule
 from lanewright.core.violations import Severity, Violation
 

@@ -1,34 +1,43 @@
-"""Remedies of identity violations: the edited map with a place in the road graph under its old id again."""
+"""Remedies of identity violations: the structural update they are in, in its canonical form (spec §6)."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from lanewright.core.canonical import Canonical, canonical_form
 from lanewright.core.comparison import Comparison
-from lanewright.core.elements import ElementKind
-from lanewright.core.identity import joinable, renamed, with_series_joined
+from lanewright.core.diff import atomic_changes
+from lanewright.core.elements import ElementKey, ElementKind
+from lanewright.core.macros import touching_groups
 from lanewright.core.rules.rule import Remedy
 from lanewright.core.violations import Violation
-from lanewright.core.wording import lanes_named
+from lanewright.core.wording import listed
+
+_MOST_NAMED = 3
+_NOUNS = {ElementKind.LANE_SEGMENT: "lane", ElementKind.PEDESTRIAN_CROSSING: "crossing"}
 
 
 def identity_remedies(comparison: Comparison, violation: Violation) -> Iterator[Remedy]:
-    """The inserted elements take the ids of the deleted ones whose place they have."""
-    if not violation.code.startswith("replacement."):
-        return
-    if violation.kind is ElementKind.PEDESTRIAN_CROSSING:
-        was, now = sorted(violation.elements, key=lambda key: key in comparison.inserted_crossings)
-        yield Remedy(f"Edit crossing {was} in place", renamed(comparison.edited, {}, {now: was}))
-        return
-    deleted = [lane for lane in violation.elements if lane in comparison.deleted_lanes]
-    inserted = [lane for lane in violation.elements if lane in comparison.inserted_lanes]
-    order = next(iter(comparison.edited_graph.chains(inserted)), ())
-    if len(deleted) != 1 or len(order) != len(inserted):
-        return
-    state = comparison.edited
-    parts = [state.lanes[lane] for lane in order]
-    if not all(joinable(parts[0], part) for part in parts):
-        return
-    if len(order) > 1:
-        state = with_series_joined(state, order)
-    yield Remedy(f"Edit {lanes_named(deleted)} in place", renamed(state, {order[0]: deleted[0]}))
+    """The canonical form of the structural update; failing that, of the whole map."""
+    keys = {ElementKey(violation.kind, element) for element in violation.elements}
+    changed = {change.key for change in atomic_changes(comparison)}
+    for group in touching_groups(comparison, changed | keys):
+        if not keys.isdisjoint(group):
+            canonical = canonical_form(comparison.base, comparison.edited, group)
+            yield Remedy(title_of(canonical), canonical.edited)
+            break
+    canonical = canonical_form(comparison.base, comparison.edited)
+    yield Remedy(title_of(canonical), canonical.edited)
+
+
+def title_of(canonical: Canonical) -> str:
+    """What the canonical form does, e.g. ``Make canonical: lane 9 becomes lane 1``."""
+    words = [
+        f"{_NOUNS[key.kind]} {key.id} becomes {_NOUNS[key.kind]} {new}"
+        for key, new in sorted(canonical.renamed.items())
+    ]
+    words += [f"lane {lane} is joined to it" for lane in canonical.joined]
+    words += [f"lane {whole} is cut" for whole in canonical.cut]
+    if len(words) > _MOST_NAMED:
+        words = [*words[:_MOST_NAMED], f"{len(words) - _MOST_NAMED} more"]
+    return f"Make canonical: {listed(words)}" if words else "Make canonical"

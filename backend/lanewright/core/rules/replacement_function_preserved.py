@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from lanewright.core.comparison import Comparison
 from lanewright.core.elements import ElementKind
-from lanewright.core.roadgraph import Chain
+from lanewright.core.places import preserved_chains
 from lanewright.core.rules.remedy import identity_remedies
 from lanewright.core.rules.rule import Rule
 from lanewright.core.violations import Severity, Violation
@@ -26,22 +26,6 @@ def find(comparison: Comparison) -> Iterator[Violation]:
             f"{capitalised(lanes_named(deleted))} {was_or_were(deleted)} deleted and {lanes_named(inserted)} drawn "
             f"with the same function in the intersection: re-route {lanes_named(deleted)} in place.",
         )
-
-
-def preserved_chains(comparison: Comparison) -> list[tuple[Chain, Chain]]:
-    """Deleted and inserted chains with a pair of intersection lanes of equal function."""
-    deleted = [lane for lane in sorted(comparison.deleted_lanes) if comparison.base.lanes[lane].is_intersection]
-    inserted = [lane for lane in sorted(comparison.inserted_lanes) if comparison.edited.lanes[lane].is_intersection]
-    pairs = {
-        (
-            comparison.base_graph.chain_through(was, comparison.deleted_lanes),
-            comparison.edited_graph.chain_through(now, comparison.inserted_lanes),
-        )
-        for was in deleted
-        for now in inserted
-        if comparison.equal_function(was, now)
-    }
-    return sorted(pairs)
 
 
 RULE = Rule(

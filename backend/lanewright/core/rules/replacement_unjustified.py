@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from lanewright.core.comparison import Comparison, crossing_key, same_crossing
+from lanewright.core.comparison import Comparison
 from lanewright.core.elements import ElementKind
-from lanewright.core.roadgraph import FINISH, START, Chain
+from lanewright.core.places import coinciding_runs, unjustified_crossings
 from lanewright.core.rules.remedy import identity_remedies
 from lanewright.core.rules.rule import Rule
 from lanewright.core.violations import Severity, Violation
@@ -17,7 +17,7 @@ CODE = "replacement.unjustified"
 
 def find(comparison: Comparison) -> Iterator[Violation]:
     """Violations for lanes, then for crossings."""
-    for deleted, inserted in unjustified_parts(comparison):
+    for deleted, inserted in coinciding_runs(comparison):
         elements = tuple(sorted({*deleted, *inserted}))
         yield Violation(
             CODE,
@@ -36,51 +36,6 @@ def find(comparison: Comparison) -> Iterator[Violation]:
             tuple(sorted((was, now))),
             f"Crossing {was} was deleted and crossing {now} drawn in its place: edit crossing {was} in place.",
         )
-
-
-def unjustified_parts(comparison: Comparison) -> list[tuple[Chain, Chain]]:
-    """Contiguous parts of a deleted and an inserted chain whose starts and ends coincide; only the largest."""
-    found: list[tuple[Chain, Chain]] = []
-    if not comparison.deleted_lanes or not comparison.inserted_lanes:
-        return found
-    for deleted in comparison.base_graph.chains(comparison.deleted_lanes):
-        for inserted in comparison.edited_graph.chains(comparison.inserted_lanes):
-            found += coinciding_parts(comparison, deleted, inserted)
-    return found
-
-
-def coinciding_parts(comparison: Comparison, deleted: Chain, inserted: Chain) -> list[tuple[Chain, Chain]]:
-    """The largest coinciding parts of two chains, none within another."""
-    starts = _pairs(comparison, deleted, inserted, START)
-    finishes = _pairs(comparison, deleted, inserted, FINISH) if starts else []
-    parts = [((i, k), (j, m)) for i, j in starts for k, m in finishes if i <= k and j <= m]
-    largest = [one for one in parts if not any(other != one and _within(one, other) for other in parts)]
-    return [(deleted[i : k + 1], inserted[j : m + 1]) for (i, k), (j, m) in largest]
-
-
-def _pairs(comparison: Comparison, deleted: Chain, inserted: Chain, end: int) -> list[tuple[int, int]]:
-    return [
-        (i, j)
-        for i, was in enumerate(deleted)
-        for j, now in enumerate(inserted)
-        if comparison.coincide((was, end), (now, end))
-    ]
-
-
-def _within(one: tuple[tuple[int, int], tuple[int, int]], other: tuple[tuple[int, int], tuple[int, int]]) -> bool:
-    return all(large[0] <= small[0] and small[1] <= large[1] for small, large in zip(one, other, strict=True))
-
-
-def unjustified_crossings(comparison: Comparison) -> list[tuple[int, int]]:
-    """Deleted and inserted crossings that overlap so far that they are one."""
-    return [
-        (was, now)
-        for was in sorted(comparison.deleted_crossings)
-        for now in sorted(comparison.inserted_crossings)
-        if same_crossing(
-            comparison.shape(crossing_key(was), edited=False), comparison.shape(crossing_key(now), edited=True)
-        )
-    ]
 
 
 RULE = Rule(

@@ -1,0 +1,192 @@
+"""A run of the base and the run of the edited map that took its place: which piece of road is which lane.
+
+The base's lanes give the segmentation. A joint of the edited run stays where something differs across it; where
+nothing does, it stays only if that costs no change of category, since cuts in series are no change (spec §2).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from lanewright.core.elements import LaneSegment
+from lanewright.core.geometry import centreline, moved
+from lanewright.core.identity import joinable
+from lanewright.core.series import Run, Station, along
+
+NEAR_M = 3.0
+"""Joints of base and edited run within this distance are one joint."""
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A piece of the edited run, and the base lane it is (or is a part of)."""
+
+    lane: LaneSegment
+    base: int
+    is_part: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Alignment:
+    """The edited run in the base's segmentation.
+
+    Attributes:
+        pieces: in driving direction.
+        recut: whether joints differ from the edited run's own.
+        categories: how many categories of change the pieces have.
+        displacement_m: mean distance of the two centrelines.
+    """
+
+    pieces: tuple[Piece, ...]
+    recut: bool
+    categories: int
+    displacement_m: float
+
+    @property
+    def parts(self) -> int:
+        """How many pieces are parts of a cut lane."""
+        return sum(piece.is_part for piece in self.pieces)
+
+
+def align(base: Sequence[LaneSegment], edited: Sequence[LaneSegment]) -> Alignment:
+    """The best alignment: fewest cut lanes, then fewest changed categories, rather the edited run's own joints."""
+    was, now = Run.of(base), Run.of(edited)
+    displacement = displacement_m(was.whole, now.whole)
+    candidates: list[Alignment] = []
+    if len(base) == len(edited):
+        pieces = tuple(Piece(lane, old.id, False) for lane, old in zip(edited, base, strict=True))
+        candidates.append(Alignment(pieces, False, _categories(was, pieces), displacement))
+    if len(base) > 1 or len(edited) > 1:
+        for snap in (NEAR_M, 0.0):
+            pieces = _recut(was, now, snap)
+            candidates.append(Alignment(pieces, True, _categories(was, pieces), displacement))
+    return min(enumerate(candidates), key=lambda item: (item[1].parts, item[1].categories, item[0]))[1]
+
+
+def displacement_m(one: LaneSegment, other: LaneSegment) -> float:
+    """Mean distance of two centrelines at equal fractions of their lengths."""
+    return float(np.hypot(*(centreline(one) - centreline(other)).T).mean())
+
+
+def categories_between(was: LaneSegment, now: LaneSegment) -> int:
+    """How many of geometry, marking and type differ."""
+    return (
+        (moved(was.left_boundary, now.left_boundary) or moved(was.right_boundary, now.right_boundary))
+        + (was.left_mark is not now.left_mark or was.right_mark is not now.right_mark)
+        + (was.lane_type is not now.lane_type or was.is_intersection != now.is_intersection)
+    )
+
+
+def _categories(was: Run, pieces: Sequence[Piece]) -> int:
+    """Changed categories of all pieces; a part is compared with the base cut alike."""
+    lanes = {lane.id: lane for lane in was.lanes}
+    total = 0
+    for piece in pieces:
+        before = lanes[piece.base]
+        if not piece.is_part:
+            total += categories_between(before, piece.lane)
+            continue
+        alone = Run.of([before])
+        start = alone.station_of(piece.lane.left_boundary[0], piece.lane.right_boundary[0])
+        finish = alone.station_of(piece.lane.left_boundary[-1], piece.lane.right_boundary[-1])
+        inner = [station for station in (start, finish) if 0 < station[0] < alone.ends[0] and station[1] > 0]
+        cut = alone.pieces(inner)
+        total += min(categories_between(part, piece.lane) for part in cut)
+    return total
+
+
+def _recut(was: Run, now: Run, snap_m: float) -> tuple[Piece, ...]:
+    """The edited run cut at the base's joints, and where its own properties change."""
+    fixed = [
+        index
+        for index, (one, other) in enumerate(zip(now.lanes, now.lanes[1:], strict=False))
+        if not joinable(one, other)
+    ]
+    goals = [_goal(was, now, joint) for joint in was.joints]
+    taken = _matched_joints(was, now, fixed, goals)
+    stations: list[tuple[Station, bool]] = []
+    for index, goal in enumerate(goals):
+        if index in taken:
+            stations.append((now.joints[taken[index]], True))
+        else:
+            stations.append((_snapped(now, goal, snap_m), True))
+    stations += [(now.joints[index], False) for index in fixed if index not in taken.values()]
+    return _pieces(was, now, _ordered(stations, now.ends))
+
+
+def _goal(was: Run, now: Run, joint: Station) -> Station:
+    """Where a joint of the base lies on the edited run: across from it, else at the same fraction of the length."""
+    left, right = was.place(joint)
+    (a, away_a), (b, away_b) = along(now.whole.left_boundary, left), along(now.whole.right_boundary, right)
+    if max(away_a, away_b) <= NEAR_M:
+        return (a, b)
+    shares = (joint[0] / was.ends[0], joint[1] / was.ends[1])
+    return (shares[0] * now.ends[0], shares[1] * now.ends[1])
+
+
+def _matched_joints(was: Run, now: Run, fixed: Sequence[int], goals: Sequence[Station]) -> dict[int, int]:
+    """Base joints by index and the edited joints that they are: near, or with the same change of properties."""
+    matched: dict[int, int] = {}
+    free = list(fixed)
+    for same_transition in (False, True):
+        for index, goal in enumerate(goals):
+            if index in matched:
+                continue
+            near = [
+                joint
+                for joint in free
+                if all((joint > other) == (index > known) for known, other in matched.items())
+                and (
+                    _same_transition(was, index, now, joint)
+                    if same_transition
+                    else _apart(now.joints[joint], goal) <= NEAR_M
+                )
+            ]
+            if near:
+                best = min(near, key=lambda joint: _apart(now.joints[joint], goal))
+                matched[index] = best
+                free.remove(best)
+    return matched
+
+
+def _apart(one: Station, other: Station) -> float:
+    return (abs(one[0] - other[0]) + abs(one[1] - other[1])) / 2
+
+
+def _same_transition(was: Run, index: int, now: Run, joint: int) -> bool:
+    return (
+        not joinable(was.lanes[index], was.lanes[index + 1])
+        and joinable(was.lanes[index], now.lanes[joint])
+        and joinable(was.lanes[index + 1], now.lanes[joint + 1])
+    )
+
+
+def _snapped(now: Run, goal: Station, snap_m: float) -> Station:
+    """The edited run's own joint near the goal, if any; else the goal."""
+    near = [joint for joint in now.joints if _apart(joint, goal) <= snap_m]
+    return min(near, key=lambda joint: _apart(joint, goal), default=goal)
+
+
+def _ordered(stations: list[tuple[Station, bool]], ends: Station) -> list[tuple[Station, bool]]:
+    """Stations in driving order, each strictly beyond the one before on both sides; those that are not are dropped
+    (of a base joint and an edited one at the same place the base joint stands)."""
+    kept: list[tuple[Station, bool]] = []
+    for station, is_base in sorted(stations, key=lambda item: (sum(item[0]), not item[1])):
+        low = kept[-1][0] if kept else (0.0, 0.0)
+        if low[0] < station[0] < ends[0] and low[1] < station[1] < ends[1]:
+            kept.append((station, is_base))
+    return kept
+
+
+def _pieces(was: Run, now: Run, stations: list[tuple[Station, bool]]) -> tuple[Piece, ...]:
+    lanes = now.pieces([station for station, _ in stations])
+    owners = [0]
+    for _, is_base in stations:
+        owners.append(owners[-1] + is_base)
+    return tuple(
+        Piece(lane, was.lanes[min(owner, len(was.lanes) - 1)].id, owners.count(owner) > 1)
+        for lane, owner in zip(lanes, owners, strict=True)
+    )

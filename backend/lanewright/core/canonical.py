@@ -1,0 +1,110 @@
+"""One explanation per map update (spec §6): the canonical assignment of identity.
+
+Ids of the edited map (within the scope) are forgotten. Lanes take the id of the base lane in whose place they are:
+first those with the same lines, then whoever took the place of a deleted chain or kept its function; what the rules
+forbid is taken back, what the right-hand side decides is exchanged. Ties are settled by what is seen, never by the
+ids the edited map happens to have: fewest categories, least displacement, smallest base id, then position.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from itertools import count
+
+from lanewright.core.assignment import Assignment
+from lanewright.core.elements import ElementKey, ElementKind, MapState
+from lanewright.core.identity import fresh_id, renamed
+from lanewright.core.settlement import settle
+
+
+@dataclass(frozen=True, slots=True)
+class Canonical:
+    """The edited map under canonical identity.
+
+    Attributes:
+        edited: the map, ids and cuts aside the same as before.
+        renamed: lanes and crossings whose id changed, old to new.
+        joined: lanes that became part of the lane before or after them in series.
+        cut: base lanes that are cut, since a property changes half-way.
+    """
+
+    edited: MapState
+    renamed: dict[ElementKey, int]
+    joined: tuple[int, ...]
+    cut: tuple[int, ...]
+
+
+def canonicalise(base: MapState, edited: MapState) -> MapState:
+    """The edited map under its canonical assignment of identity (spec §6); idempotent."""
+    return canonical_form(base, edited).edited
+
+
+def canonical_form(base: MapState, edited: MapState, scope: Collection[ElementKey] | None = None) -> Canonical:
+    """The canonical form, with what was renamed.
+
+    ``scope``: only these elements (of either map) are looked at anew; all others keep their ids. None: all.
+    """
+    assignment = Assignment.start(base, edited, scope)
+    settle(assignment)
+    return _named(assignment, edited)
+
+
+def _named(assignment: Assignment, original: MapState) -> Canonical:
+    """The assignment under final ids."""
+    taken = {*assignment.base.lanes, *assignment.base.crossings}
+    fresh = count(fresh_id((assignment.base, original)))
+    lanes = _final_ids(assignment.edited.lanes, assignment.lanes, assignment.own_lane_ids, taken, fresh)
+    crossings = _final_ids(assignment.edited.crossings, assignment.crossings, assignment.own_crossing_ids, taken, fresh)
+    final = assignment.with_parts_named(renamed(assignment.edited, lanes, crossings), lanes)
+    return Canonical(
+        _with_known_objects(final, original),
+        dict(_renames(assignment, lanes, crossings)),
+        tuple(sorted(own for token, own in assignment.own_lane_ids.items() if token not in lanes)),
+        tuple(sorted(set(assignment.parts.values()))),
+    )
+
+
+def _final_ids(
+    tokens: Iterable[int],
+    matched: Mapping[int, int],
+    own: Mapping[int, int],
+    taken: Collection[int],
+    fresh: Iterator[int],
+) -> dict[int, int]:
+    """Token -> id: the base's for what is matched; new elements keep their own where the base does not have it, else
+    take one that a matched element gave up, else a fresh one."""
+    final = {token: matched[token] for token in tokens if token in matched}
+    homeless = []
+    for token in tokens:
+        if token not in matched:
+            if token in own and own[token] not in taken:
+                final[token] = own[token]
+            else:
+                homeless.append(token)
+    given_up = sorted(key for token, key in own.items() if token in matched and key not in taken)
+    for token in sorted(homeless):
+        final[token] = given_up.pop(0) if given_up else next(fresh)
+    return final
+
+
+def _renames(
+    assignment: Assignment, lanes: dict[int, int], crossings: dict[int, int]
+) -> Iterator[tuple[ElementKey, int]]:
+    for kind, own, final in (
+        (ElementKind.LANE_SEGMENT, assignment.own_lane_ids, lanes),
+        (ElementKind.PEDESTRIAN_CROSSING, assignment.own_crossing_ids, crossings),
+    ):
+        for token, before in own.items():
+            if token in final and final[token] != before:
+                yield ElementKey(kind, before), final[token]
+
+
+def _with_known_objects(state: MapState, original: MapState) -> MapState:
+    """The state with the original's own objects and order where nothing differs."""
+    elements = {element.key: element for element in state}
+    same = [element for element in original if elements.get(element.key) == element]
+    if len(same) == len(original) == len(state):
+        return original
+    known = {element.key for element in same}
+    return MapState.of([*same, *(element for key, element in sorted(elements.items()) if key not in known)])

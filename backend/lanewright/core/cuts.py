@@ -1,0 +1,77 @@
+"""Recorded cuts (spec §2): a lane whose property changes half-way is cut in base and edited map alike.
+
+The record is ``part_of`` on the parts. Where one map has the parts of a lane and the other still has it whole, the
+whole is cut at the parts' joints before anything is compared, so the parts survive as themselves.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from lanewright.core.elements import LaneSegment, MapState
+from lanewright.core.geometry import readable_element
+from lanewright.core.identity import joinable, with_lanes_exchanged
+from lanewright.core.roadgraph import RoadGraph
+from lanewright.core.series import Run
+
+
+def cut_alike(base: MapState, edited: MapState) -> tuple[MapState, MapState]:
+    """Both maps with the cuts that the other one records; the very same objects where there are none."""
+    return cut_like(base, edited), cut_like(edited, base)
+
+
+def cut_like(state: MapState, other: MapState) -> MapState:
+    """The state with each lane cut of which the other map has the parts."""
+    for lane, parts in _recorded_parts(other).items():
+        if lane in state.lanes and not any(part in state.lanes for part in parts) and lane not in other.lanes:
+            order = _in_series(other, parts)
+            if order and readable_element(state.lanes[lane]) and _legal([other.lanes[part] for part in order]):
+                state = _cut(state, lane, [other.lanes[part] for part in order])
+    return state
+
+
+def _recorded_parts(state: MapState) -> dict[int, list[int]]:
+    parts: dict[int, list[int]] = {}
+    for key, lane in state.lanes.items():
+        if lane.part_of is not None:
+            parts.setdefault(lane.part_of, []).append(key)
+    return parts
+
+
+def _in_series(state: MapState, parts: Iterable[int]) -> tuple[int, ...]:
+    """The parts in driving order, if they are one series of two or more; else none."""
+    wanted = set(parts)
+    if len(wanted) < 2 or not all(readable_element(state.lanes[part]) for part in wanted):
+        return ()
+    chains = RoadGraph.of(state).chains(wanted)
+    return chains[0] if len(chains) == 1 else ()
+
+
+def _legal(parts: Sequence[LaneSegment]) -> bool:
+    """Whether something differs across every joint."""
+    return not any(joinable(one, other) for one, other in itertools.pairwise(parts))
+
+
+def _cut(state: MapState, lane: int, parts: Sequence[LaneSegment]) -> MapState:
+    whole = Run.of([state.lanes[lane]])
+    stations = [whole.station_of(part.left_boundary[-1], part.right_boundary[-1]) for part in parts[:-1]]
+    ends = whole.ends
+    steps = [(0.0, 0.0), *stations, ends]
+    if any(one[0] >= other[0] or one[1] >= other[1] for one, other in itertools.pairwise(steps)):
+        lengths = Run.of(parts)
+        total = lengths.ends
+        stations = [(ends[0] * joint[0] / total[0], ends[1] * joint[1] / total[1]) for joint in lengths.joints]
+    pieces = [
+        dataclasses.replace(piece, id=part.id, part_of=lane)
+        for piece, part in zip(whole.pieces(stations), parts, strict=True)
+    ]
+    return with_lanes_exchanged(state, [lane], pieces)
+
+
+def marked_as_parts(state: MapState, parts: Iterable[int], whole: int) -> MapState:
+    """The state with the cut recorded on the parts."""
+    fields: dict[str, Any] = {"part_of": whole}
+    return state.replaced([dataclasses.replace(state.lanes[part], **fields) for part in parts])

@@ -1,0 +1,186 @@
+"""Settling an assignment: one step after the other until no rule of identity is broken (spec §5, §6)."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Iterable
+from itertools import combinations
+
+from lanewright.core.alignment import Alignment, align, displacement_m
+from lanewright.core.assignment import Assignment
+from lanewright.core.comparison import Comparison, crossing_key
+from lanewright.core.geometry import overlap, readable_element
+from lanewright.core.places import (
+    coinciding_runs,
+    displaced_crossings,
+    displaced_lanes,
+    exchanged_lanes,
+    preserved_chains,
+    rerouted_links,
+    unjustified_crossings,
+)
+from lanewright.core.rightmost import ambiguous_insertions
+from lanewright.core.roadgraph import Chain
+
+_MOST_STEPS = 400
+"""A settled map takes a few steps per update; the bound only guards against maps made to have no end."""
+_FEW = 10
+
+
+def settle(assignment: Assignment) -> None:
+    """Match, part and exchange until no step applies."""
+    for _ in range(_MOST_STEPS):
+        comparison = assignment.comparison()
+        if not any(step(assignment, comparison) for step in _STEPS):
+            return
+
+
+def _part_displaced(assignment: Assignment, comparison: Comparison) -> bool:
+    """Lanes and crossings that are matched too far away are parted."""
+    lanes = list(displaced_lanes(comparison))
+    crossings = list(displaced_crossings(comparison))
+    _part(assignment, lanes)
+    tokens = {matched: token for token, matched in assignment.crossings.items()}
+    for crossing in crossings:
+        assignment.banned.add((tokens[crossing], crossing))
+        del assignment.crossings[tokens[crossing]]
+    return bool(lanes or crossings)
+
+
+def _part_rerouted(assignment: Assignment, comparison: Comparison) -> bool:
+    """The fewest lanes whose removal makes the survivors' vertices agree are parted."""
+    links = rerouted_links(comparison)
+    if links:
+        _part(assignment, fewest_replaced(comparison, links))
+    return bool(links)
+
+
+def _part(assignment: Assignment, lanes: Iterable[int]) -> None:
+    tokens = assignment.tokens
+    for lane in lanes:
+        if lane in assignment.parts:
+            whole = assignment.parts[lane]
+            siblings = [token for token, of in assignment.parts.items() if of == whole]
+            assignment.banned.update((token, whole) for token in siblings)
+            for token in siblings:
+                del assignment.parts[token]
+            continue
+        if lane not in tokens:
+            continue
+        assignment.banned.add((tokens[lane], lane))
+        del assignment.lanes[tokens[lane]]
+
+
+def fewest_replaced(comparison: Comparison, links: Collection[tuple[int, int]]) -> tuple[int, ...]:
+    """The fewest lanes that touch all re-routed links; among equals the one inside the intersection, then the one that
+    moved most, then the downstream one (spec §5)."""
+    candidates = sorted(
+        {lane for link in links for lane in link}, key=lambda lane: _preference(comparison, links, lane)
+    )
+    if len(candidates) <= _FEW:
+        for count in range(1, len(candidates) + 1):
+            for chosen in combinations(candidates, count):
+                if all(link[0] in chosen or link[1] in chosen for link in links):
+                    return chosen
+    chosen_lanes: list[int] = []
+    left = list(links)
+    while left:
+        weight = Counter(lane for link in left for lane in set(link))
+        best = min(weight, key=lambda lane: (-weight[lane], *_preference(comparison, links, lane)))
+        chosen_lanes.append(best)
+        left = [link for link in left if best not in link]
+    return tuple(chosen_lanes)
+
+
+def _preference(comparison: Comparison, links: Collection[tuple[int, int]], lane: int) -> tuple[bool, float, bool, int]:
+    was, now = comparison.base.lanes[lane], comparison.edited.lanes[lane]
+    moved = displacement_m(was, now) if readable_element(was) and readable_element(now) else 0.0
+    return (
+        not now.is_intersection,
+        -round(moved, 6),
+        not any(link[1] == lane for link in links),
+        lane,
+    )
+
+
+def _uncross(assignment: Assignment, comparison: Comparison) -> bool:
+    """Lanes side by side whose order was reversed exchange what they stand for."""
+    for one, other in exchanged_lanes(comparison):
+        tokens = assignment.tokens
+        assignment.lanes[tokens[one]], assignment.lanes[tokens[other]] = other, one
+        return True
+    return False
+
+
+def _match_places(assignment: Assignment, comparison: Comparison) -> bool:
+    """Runs that took the place of a deleted chain, and turns that kept their function, take the old ids."""
+    chosen = _best(assignment, comparison, coinciding_runs(comparison)) or _best(
+        assignment, comparison, preserved_chains(comparison)
+    )
+    if chosen is None:
+        return False
+    assignment.match_run(*chosen)
+    return True
+
+
+def _best(
+    assignment: Assignment, comparison: Comparison, pairs: Iterable[tuple[Chain, Chain]]
+) -> tuple[Chain, Chain, Alignment] | None:
+    """The pair that saves the most insertions and deletions, then has the fewest categories, the least displacement,
+    the smallest ids."""
+    found: list[tuple[tuple[float, ...], tuple[Chain, Chain, Alignment]]] = []
+    for deleted, inserted in pairs:
+        if any((now, was) in assignment.banned for was in deleted for now in inserted):
+            continue
+        if any(token in assignment.parts for token in inserted):
+            continue
+        was = [comparison.base.lanes[lane] for lane in deleted]
+        now = [assignment.edited.lanes[token] for token in inserted]
+        if not all(readable_element(lane) for lane in (*was, *now)):
+            continue
+        alignment = align(was, now)
+        cost = (
+            -len(deleted) - len(inserted),
+            alignment.parts,
+            alignment.categories,
+            round(alignment.displacement_m, 6),
+            *deleted,
+        )
+        found.append((cost, (deleted, inserted, alignment)))
+    return min(found, key=lambda item: (item[0], item[1][:2]))[1] if found else None
+
+
+def _match_crossings(assignment: Assignment, comparison: Comparison) -> bool:
+    """The pair of a deleted and an inserted crossing that overlap most become one."""
+    pairs = [pair for pair in unjustified_crossings(comparison) if pair[::-1] not in assignment.banned]
+    if not pairs:
+        return False
+    was, now = min(pairs, key=lambda pair: (-_crossing_overlap(comparison, pair), pair))
+    assignment.crossings[now] = was
+    return True
+
+
+def _crossing_overlap(comparison: Comparison, pair: tuple[int, int]) -> float:
+    was, now = pair
+    return round(
+        overlap(comparison.shape(crossing_key(was), edited=False), comparison.shape(crossing_key(now), edited=True)), 6
+    )
+
+
+def _keep_right(assignment: Assignment, comparison: Comparison) -> bool:
+    """An insertion that could as well be the lane on its right is; likewise a deletion."""
+    for chain, survivors in ambiguous_insertions(comparison):
+        tokens = assignment.tokens
+        for inserted, survivor in zip(chain, survivors, strict=True):
+            assignment.lanes[inserted] = survivor
+            del assignment.lanes[tokens[survivor]]
+        return True
+    for chain, survivors in ambiguous_insertions(comparison.inverse):
+        tokens = assignment.tokens
+        for deleted, survivor in zip(chain, survivors, strict=True):
+            assignment.lanes[tokens[survivor]] = deleted
+        return True
+    return False
+
+
+_STEPS = (_part_displaced, _part_rerouted, _uncross, _match_places, _match_crossings, _keep_right)
