@@ -34,7 +34,7 @@ def failures_as_sentences() -> Iterator[None]:
         if type(error).__module__.startswith("typer."):  # usage errors and Exit: Typer words them itself
             raise
         summary = (str(error).strip().splitlines() or ["no message"])[0]
-        _fail(f"Something unexpected went wrong ({type(error).__name__}: {summary}). {_keep_trace(error)}")
+        _fail(f"Something unexpected went wrong ({type(error).__name__}: {summary}). {kept_trace(error)}")
 
 
 def _fail(sentence: str) -> None:
@@ -42,7 +42,7 @@ def _fail(sentence: str) -> None:
     raise typer.Exit(EXIT_FAILURE) from None
 
 
-def _keep_trace(error: Exception) -> str:
+def kept_trace(error: Exception) -> str:
     """Appends the trace to the error log, and says where that is."""
     trace = "".join(traceback.format_exception(error))
     try:

@@ -97,7 +97,6 @@ def import_log(
         Conflict: a log of that id is there with other contents or in another place.
     """
     directory = open_log(path)
-    assignment = placing.of(directory.log_id)
     # Two imports of one log at once: the second waits, and then finds it unchanged.
     session.execute(select(func.pg_advisory_xact_lock(func.hashtextextended(directory.log_id, 0))))
     known = logs.find_log(session, directory.log_id)
@@ -105,8 +104,9 @@ def import_log(
         if log_fingerprint(directory) != known.content_sha256:
             map_bytes = read_bytes(directory.path(directory.map_file), most_bytes=_MOST_MAP_BYTES)
             raise _differs(known, "map" if _sha256(map_bytes) != known.map_sha256 else "sensors or calibration")
-        _require_same_place(known, assignment)
+        _require_same_place(known, placing)
         return _imported(known, Outcome.UNCHANGED)
+    assignment = placing.of(directory.log_id)
     return _imported(_store(session, read_log(path, progress=progress), assignment), Outcome.IMPORTED)
 
 
@@ -174,13 +174,17 @@ def _imported(log: Log, outcome: Outcome) -> Imported:
     return Imported(log.log_id, outcome, log.summary["lanes"], log.summary["crossings"])
 
 
-def _require_same_place(known: Log, asked: Assignment) -> None:
-    was = (known.source_split, known.release_split, known.direction)
-    now = (asked.source and asked.source.value, asked.release.value, asked.direction.value)
-    for what, before, after in zip(("source split", "release split", "direction"), was, now, strict=True):
-        if before != after:
+def _require_same_place(known: Log, placing: Placing) -> None:
+    """What the caller says, if anything, must be where the log is already."""
+    asked = (
+        ("source split", known.source_split, placing.source or placing.splits.by_log.get(known.log_id)),
+        ("release split", known.release_split, placing.release),
+        ("direction", known.direction, placing.direction),
+    )
+    for what, before, now in asked:
+        if now is not None and before != now.value:
             raise Conflict(
-                f"Log {known.log_id} is imported already; its {what} is {before or 'none'}, not {after or 'none'}.",
+                f"Log {known.log_id} is imported already; its {what} is {before or 'none'}, not {now.value}.",
                 mend="Import it as it was before; a log keeps its place because tasks and exports rest on it.",
                 code="log.placed_differently",
                 log_id=known.log_id,
