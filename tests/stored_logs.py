@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Callable
 from typing import Any
 
 from sqlalchemy.orm import Session
 
-from lanewright.db.models import Line, Log
+from lanewright.core.elements import MapState
+from lanewright.db.mapping import to_rows
+from lanewright.db.models import Line, Log, Task
+from lanewright.db.repositories import elements, revisions
 from lanewright.db.repositories.logs import insert_asset
 from lanewright.formats.av2_map import MapDocument, parse_map
+from lanewright.sensors.city import city_frame
 from lanewright.services.drive import SENSORS
 from lanewright.services.forking import write_base
 from lanewright.services.importing import DRIVABLE_AREAS
@@ -125,3 +130,20 @@ def add_log(
     insert_asset(session, log.id, DRIVABLE_AREAS, "application/json", json.dumps(areas).encode(), {})
     insert_asset(session, log.id, SENSORS, "application/json", json.dumps(small_drive()).encode(), {})
     return log
+
+
+def change_task(session: Session, task_id: int, edit: Callable[[MapState], MapState]) -> int:
+    """Writes the edited map as the task's next revision, by the store's own functions; returns its number."""
+    task = session.get_one(Task, task_id)
+    before = elements.load(session, task.line_id, task.line.head)
+    after = edit(before.state)
+    number = revisions.advance_head(session, task.line_id, task.line.head)
+    session.refresh(task.line)
+    changed = sorted(
+        (element for element in after if before.state.get(element.key) != element), key=lambda element: element.key
+    )
+    revisions.insert_revision(session, line_id=task.line_id, number=number, content_sha256=b"test", updates=[])
+    ended = {element.key: before.versions[element.key] for element in before.state if after.get(element.key) != element}
+    elements.close_versions(session, task.line_id, number, ended)
+    elements.insert_versions(session, task.line_id, number, to_rows(changed, city_frame(task.log.city).to_mercator))
+    return number

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fastapi import APIRouter, FastAPI
+from starlette.middleware.body_limit import RequestBodyLimitMiddleware
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 from starlette.middleware.trustedhost import TrustedHostMiddleware
 
@@ -14,6 +15,7 @@ from lanewright.api.routes import (
     accounts,
     changes,
     docs,
+    export,
     logs,
     operation,
     revisions,
@@ -49,11 +51,10 @@ def create_app(settings: Settings | None = None, database_url: str | None = None
         responses=errors.RESPONSES,
         docs_url=None,
         redoc_url=None,
-        max_body_size=SMALL_BODY_BYTES,
     )
     app.state.settings = settings
     app.state.database_url = database_url or settings.database_url or _cluster_url(settings)
-    for module in (session, accounts, tokens, tasks, steps, logs, changes, operation, docs):
+    for module in (session, accounts, tokens, tasks, steps, logs, changes, export, operation, docs):
         app.include_router(module.router)
     drawn = APIRouter(max_body_size=settings.body_limit_bytes)  # what people draw may be large
     for module in (workspace, revisions):
@@ -61,7 +62,8 @@ def create_app(settings: Settings | None = None, database_url: str | None = None
     app.include_router(drawn)
     app.include_router(frontend.router)
     errors.register(app)
-    # The last one added is the outermost.
+    # The last one added is the outermost. Routers may raise the limit that this one sets.
+    app.add_middleware(RequestBodyLimitMiddleware, max_body_size=SMALL_BODY_BYTES)
     app.add_middleware(GZipMiddleware, exclude_content_types=(*DEFAULT_EXCLUDED_CONTENT_TYPES, "application/x-tar"))
     if settings.demo_allowed:
         # The demo's passwords are known: no page that tricks a browser by DNS may use them.

@@ -97,6 +97,15 @@ def too_large() -> Response:
     return problem(413, _HTTP_CODES[413], "The body of the request is too large.", _MENDS[413])
 
 
+def unknown_host() -> Response:
+    return problem(
+        400,
+        "request.host",
+        "This server does not answer to that host name.",
+        "Open it as 127.0.0.1 or localhost; for other names set LANEWRIGHT_PUBLIC_URL.",
+    )
+
+
 def unexpected() -> Response:
     """The response to an error that nobody foresaw; the log has its trace under the same request id."""
     return problem(

@@ -5,13 +5,15 @@ from __future__ import annotations
 import structlog
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from lanewright.api.errors import problem, too_large, unexpected
+from lanewright.api.errors import problem, too_large, unexpected, unknown_host
 
 _log = structlog.get_logger("lanewright.api")
+_WORDED = {413: too_large, 400: unknown_host}
+"""Answers of Starlette's body limit and its check of the Host header, by status."""
 
 
 class LastResort:
-    """Answers unforeseen errors with a Problem, refuses NUL in addresses, and words the framework's bare 413."""
+    """Answers unforeseen errors with a Problem, refuses NUL in addresses, and words what the framework says barely."""
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app
@@ -30,9 +32,10 @@ class LastResort:
             nonlocal started, replaced
             if message["type"] == "http.response.start" and not replaced:
                 started = True
-                if message["status"] == 413 and (b"content-type", b"application/json") not in message["headers"]:
+                bare = (b"content-type", b"text/plain; charset=utf-8") in message["headers"]
+                if bare and message["status"] in _WORDED:
                     replaced = True
-                    await too_large()(scope, receive, send)
+                    await _WORDED[message["status"]]()(scope, receive, send)
             if not replaced:
                 await send(message)
 

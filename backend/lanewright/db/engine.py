@@ -34,3 +34,11 @@ def transaction(url: str) -> Iterator[Session]:
     """A session whose work is committed when the block ends well and rolled back when it raises."""
     with sessionmaker(engine_for(url), expire_on_commit=False)() as session, session.begin():
         yield session
+
+
+@contextmanager
+def snapshot(url: str) -> Iterator[Session]:
+    """A session that only reads, and sees one state of the database however long the block takes."""
+    isolated = engine_for(url).execution_options(isolation_level="REPEATABLE READ", postgresql_readonly=True)
+    with isolated.connect() as connection, Session(connection, expire_on_commit=False) as session:
+        yield session
