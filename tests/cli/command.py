@@ -33,8 +33,14 @@ class Lanewright:
     servers: list[subprocess.Popen[str]] = field(default_factory=list)
 
     def run(self, *arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
+        return self._run("-m", "lanewright.cli.main", *arguments, environment=environment)
+
+    def python(self, script: str) -> subprocess.CompletedProcess[str]:
+        return self._run("-c", script, environment={})
+
+    def _run(self, *arguments: str, environment: dict[str, str]) -> subprocess.CompletedProcess[str]:
         return subprocess.run(
-            [sys.executable, "-m", "lanewright.cli.main", *arguments],
+            [sys.executable, *arguments],
             env=self.environment | environment,
             stdin=subprocess.DEVNULL,
             capture_output=True,

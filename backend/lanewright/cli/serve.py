@@ -95,9 +95,9 @@ def _load_demo(settings: Settings, url: str) -> None:
     with transaction(url) as session:
         if session.scalar(select(exists().where(Log.id.is_not(None)))):
             return
-        from lanewright.services.demo_load import load_demo
+        from lanewright.services.demo_load import load_demo  # needed once: its parts take long to import
 
-        typer.echo("First start: making the demo")
+        typer.echo("First start: making the demo (a minute at most)")
         load_demo(session, settings.home)
 
 

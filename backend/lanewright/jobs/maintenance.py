@@ -5,12 +5,14 @@ from __future__ import annotations
 import datetime
 
 import structlog
-from procrastinate import Blueprint, JobContext
+from procrastinate import JobContext
 from procrastinate.manager import JobManager
 
 from lanewright.db.engine import transaction
 from lanewright.db.repositories import accounts
+from lanewright.jobs.queue import queue
 from lanewright.services.throttle import MEMORY
+from lanewright.services.verify import subjects, verify
 from lanewright.settings import get_settings
 
 STALLED_AFTER_S = 30.0
@@ -18,7 +20,6 @@ STALLED_AFTER_S = 30.0
 
 KEEP_FAILED_JOBS_H = 30 * 24
 
-tasks = Blueprint()
 _log = structlog.get_logger(__name__)
 
 
@@ -31,19 +32,38 @@ async def retry_stalled_jobs(manager: JobManager) -> int:
     return len(stalled)
 
 
-@tasks.periodic(cron="* * * * * */10")
-@tasks.task(queueing_lock="maintenance:sweep", pass_context=True)
+@queue.periodic(cron="* * * * * */10")
+@queue.task(name="maintenance.sweep", queueing_lock="maintenance.sweep", pass_context=True)
 async def sweep(context: JobContext, timestamp: int) -> None:
     """Procrastinate itself does not retry the jobs of a worker that was killed."""
     await retry_stalled_jobs(context.app.job_manager)
 
 
-@tasks.periodic(cron="17 * * * *")
-@tasks.task(queueing_lock="maintenance:purge", pass_context=True)
+@queue.periodic(cron="17 * * * *")
+@queue.task(name="maintenance.purge", queueing_lock="maintenance.purge", pass_context=True)
 async def purge(context: JobContext, timestamp: int) -> None:
     """Removes what has run out: browser sessions, counted sign-in failures, old failed jobs."""
     purge_sign_ins(context.additional_context["database_url"])
     await context.app.job_manager.delete_old_jobs(KEEP_FAILED_JOBS_H, include_failed=True, include_aborted=True)
+
+
+@queue.periodic(cron="41 3 * * *")
+@queue.task(name="maintenance.verify", queueing_lock="maintenance.verify", pass_context=True)
+def verify_everything(context: JobContext, timestamp: int) -> None:
+    """What ``lanewright verify`` does, every night; a difference is an error in the log."""
+    log_differences(context.additional_context["database_url"])
+
+
+def log_differences(url: str) -> int:
+    """Logs where the store contradicts itself, and says how often it does."""
+    found = 0
+    with transaction(url) as session:
+        for subject in subjects(session):
+            for difference in verify(session, subject):
+                _log.error("the store contradicts itself", where=difference.where, what=difference.what)
+                found += 1
+    _log.info("the store was verified", differences=found)
+    return found
 
 
 def purge_sign_ins(url: str) -> None:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from procrastinate import App, PsycopgConnector
-
-from lanewright.jobs import maintenance
+from lanewright.jobs.maintenance import retry_stalled_jobs
+from lanewright.jobs.queue import opened_queue
 
 HEARTBEAT_S = 5.0
 FORGET_WORKER_AFTER_S = 600.0
@@ -13,19 +12,11 @@ GRACE_S = 10.0
 """How long running jobs may go on when the worker is told to stop; the sweep retries what is cut off."""
 
 
-def make_queue(url: str) -> App:
-    """The job queue in this database, with every task that Lanewright knows."""
-    queue = App(connector=PsycopgConnector(conninfo=url))
-    queue.add_tasks_from(maintenance.tasks, namespace="maintenance")
-    return queue
-
-
 async def run_worker(url: str, *, wait: bool = True) -> None:
     """Takes jobs until a signal ends it; with ``wait=False`` only until none is due."""
-    queue = make_queue(url)
-    async with queue.open_async():
+    async with opened_queue(url) as queue:
         # Before the worker forgets others: after a long stop, all rows are old enough for that.
-        await maintenance.retry_stalled_jobs(queue.job_manager)
+        await retry_stalled_jobs(queue.job_manager)
         await queue.run_worker_async(
             wait=wait,
             concurrency=2,  # a nightly verification must not hold up the sweep
