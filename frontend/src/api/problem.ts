@@ -21,7 +21,12 @@ export class Problem extends Error {
 }
 
 export const unreachable = () =>
-  new Problem(0, "network.unreachable", "The server does not answer.", "Check the connection, then try again.");
+  new Problem(
+    0,
+    "network.unreachable",
+    "The server does not answer.",
+    "Check the connection, then try again.",
+  );
 
 function isRecord(value: unknown): value is Record<string, unknown> {
   return typeof value === "object" && value !== null && !Array.isArray(value);

@@ -10,7 +10,11 @@ interface SessionState {
   asking: boolean;
 }
 
-export const sessionStore = createStore<SessionState>(() => ({ session: undefined, demo: false, asking: false }));
+export const sessionStore = createStore<SessionState>(() => ({
+  session: undefined,
+  demo: false,
+  asking: false,
+}));
 
 let waiting: ((session: Session | null) => void)[] = [];
 

@@ -34,9 +34,7 @@ export const createTask = (body: NewTask): Promise<Task> => ask(() => client.POS
 
 /** null takes the task from whoever has it. */
 export const assignTask = (id: number, assignee: number | null): Promise<Task> =>
-  ask(() =>
-    client.PATCH("/api/v1/tasks/{task_id}", { params: path(id), body: { assignee_id: assignee } }),
-  );
+  ask(() => client.PATCH("/api/v1/tasks/{task_id}", { params: path(id), body: { assignee_id: assignee } }));
 
 export const takeStep = (id: number, step: Step): Promise<Task> =>
   ask(() => client.POST("/api/v1/tasks/{task_id}/steps", { params: path(id), body: step }));

@@ -16,7 +16,9 @@ export class ErrorBoundary extends Component<{ children: ReactNode }, { error: u
       <main className="centred">
         <h1>This page stumbled</h1>
         <ProblemNotice error={this.state.error} />
-        <p className="second">Your edits are kept on this computer and come back when the task is opened again.</p>
+        <p className="second">
+          Your edits are kept on this computer and come back when the task is opened again.
+        </p>
         <Group gap={8}>
           <Button onClick={() => globalThis.location.reload()}>Reload the page</Button>
           <Button variant="default" component="a" href="/">

@@ -40,6 +40,7 @@ export function groupChanges(findings: Findings): ChangeGroup[] {
     if (first === undefined) continue;
     groups.push({ key: keyOf(first), title: update.title, macros: macroWords(update.macros), changes });
   }
-  if (rest.size > 0) groups.push({ key: "rest", title: "Elsewhere", macros: "", changes: [...rest.values()] });
+  if (rest.size > 0)
+    groups.push({ key: "rest", title: "Elsewhere", macros: "", changes: [...rest.values()] });
   return groups;
 }

@@ -85,11 +85,7 @@ export function AllTasksPage() {
       {tasks.isError && <ProblemNotice error={tasks.error} onRetry={() => void tasks.refetch()} />}
       {tasks.data && tasks.data.items.length > 0 && (
         <>
-          <TaskTable
-            tasks={tasks.data.items}
-            withAssignee
-            {...(admin && { ticked, onTick: setTicked })}
-          />
+          <TaskTable tasks={tasks.data.items} withAssignee {...(admin && { ticked, onTick: setTicked })} />
           <Pages filter={filter} total={tasks.data.total} pageSize={PAGE_SIZE} noun="task" />
         </>
       )}

@@ -65,7 +65,9 @@ export function CreateTasksDialog({ logIds, onClose, onDone }: CreateTasksDialog
             Create
           </Button>
         </Group>
-        {bulk.done !== null && <p className="second" role="status">{`${bulk.done} of ${logIds.length} done`}</p>}
+        {bulk.done !== null && (
+          <p className="second" role="status">{`${bulk.done} of ${logIds.length} done`}</p>
+        )}
       </Stack>
     </Modal>
   );

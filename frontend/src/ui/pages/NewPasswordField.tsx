@@ -2,7 +2,13 @@ import { Button, TextInput } from "@mantine/core";
 import { newPassword, passwordFault } from "./password";
 
 /** A password that an admin hands to somebody: shown, because it has to be passed on. */
-export function NewPasswordField({ value, onChange }: { value: string; onChange: (password: string) => void }) {
+export function NewPasswordField({
+  value,
+  onChange,
+}: {
+  value: string;
+  onChange: (password: string) => void;
+}) {
   return (
     <TextInput
       label="Password"

@@ -48,7 +48,12 @@ export function PersonRow({ account, onChanged, onReset }: PersonRowProperties) 
           <Button variant="default" onClick={() => onReset(account)}>
             Reset password
           </Button>
-          <Button variant="default" disabled={own} loading={busy} onClick={() => change({ disabled: !disabled })}>
+          <Button
+            variant="default"
+            disabled={own}
+            loading={busy}
+            onClick={() => change({ disabled: !disabled })}
+          >
             {disabled ? "Enable" : "Disable"}
           </Button>
         </Group>

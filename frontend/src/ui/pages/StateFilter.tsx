@@ -9,7 +9,13 @@ export const asStates = (values: readonly string[]): TaskState[] =>
   STATES.filter((state) => values.includes(state));
 
 /** The states with how many tasks each has; a click keeps or drops one. */
-export function StateFilter({ filter, counts }: { filter: Filter; counts: Partial<Record<TaskState, number>> }) {
+export function StateFilter({
+  filter,
+  counts,
+}: {
+  filter: Filter;
+  counts: Partial<Record<TaskState, number>>;
+}) {
   const chosen = asStates(filter.values("state"));
   const toggle = (state: TaskState) =>
     filter.set({

@@ -16,10 +16,7 @@ export function ChangeBar({ task }: { task: Pick<Task, "changes" | "changed_elem
   return (
     <span className={classes.bar} role="img" aria-label={words} title={words}>
       {COUNTED_CATEGORIES.map((name) => (
-        <span
-          key={name}
-          style={{ flexGrow: task.changes[name] ?? 0, background: `var(--change-${name})` }}
-        />
+        <span key={name} style={{ flexGrow: task.changes[name] ?? 0, background: `var(--change-${name})` }} />
       ))}
     </span>
   );

@@ -1,5 +1,5 @@
 /** How the app says the wire's values. */
-import type { Action, Category, Direction, ElementKind, LaneType, Mark, Role, TaskState } from "../../api/types";
+import type { Action, Category, Direction, ElementKind, LaneType, Role, TaskState } from "../../api/types";
 
 export const STATE_WORDS: Record<TaskState, string> = {
   draft: "draft",
@@ -48,24 +48,6 @@ export const KIND_WORDS: Record<ElementKind, string> = {
 };
 
 export const LANE_TYPE_WORDS: Record<LaneType, string> = { VEHICLE: "Vehicle", BIKE: "Bike", BUS: "Bus" };
-
-export const MARK_WORDS: Record<Mark, string> = {
-  NONE: "None",
-  DASHED_WHITE: "Dashed white",
-  DASHED_YELLOW: "Dashed yellow",
-  SOLID_WHITE: "Solid white",
-  SOLID_YELLOW: "Solid yellow",
-  DOUBLE_SOLID_WHITE: "Double solid white",
-  DOUBLE_SOLID_YELLOW: "Double solid yellow",
-  DOUBLE_DASH_WHITE: "Double dashed white",
-  DOUBLE_DASH_YELLOW: "Double dashed yellow",
-  SOLID_DASH_WHITE: "Solid, then dashed white",
-  SOLID_DASH_YELLOW: "Solid, then dashed yellow",
-  DASH_SOLID_WHITE: "Dashed, then solid white",
-  DASH_SOLID_YELLOW: "Dashed, then solid yellow",
-  SOLID_BLUE: "Solid blue",
-  UNKNOWN: "Unknown",
-};
 
 /** "1 change", "3 changes". */
 export function counted(count: number, noun: string, plural = `${noun}s`): string {

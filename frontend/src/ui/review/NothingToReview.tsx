@@ -15,8 +15,8 @@ export function NothingToReview({ filtered, onClear }: { filtered: boolean; onCl
   return (
     <EmptyState title="Nothing waits for your review">
       <p>
-        Submitted tasks appear here, oldest first; your own work goes to somebody else. See what is under way in{" "}
-        <Link href="/tasks">all tasks</Link>.
+        Submitted tasks appear here, oldest first; your own work goes to somebody else. See what is under way
+        in <Link href="/tasks">all tasks</Link>.
       </p>
     </EmptyState>
   );

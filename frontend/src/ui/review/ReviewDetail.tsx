@@ -36,7 +36,10 @@ export function ReviewDetail({ task, busy, onAccept, onSendBack, onOpen }: Revie
           {task.city} · {DIRECTION_WORDS[task.direction]} · revision {task.head}
         </p>
         <div className={classes.tiles}>
-          <Tile number={task.changed_elements} words={`changes, ${counted(findings.data?.updates.length ?? 0, "update")}`} />
+          <Tile
+            number={task.changed_elements}
+            words={`changes, ${counted(findings.data?.updates.length ?? 0, "update")}`}
+          />
           <Tile number={warnings} words={warnings === 1 ? "warning" : "warnings"} />
           <Tile number={task.lanes} words={`lanes, ${counted(task.crossings, "crossing")}`} />
         </div>

@@ -1,5 +1,5 @@
-import { keepPreviousData, useQuery, useQueryClient } from "@tanstack/react-query";
 import { useHotkeys } from "@mantine/hooks";
+import { keepPreviousData, useQuery, useQueryClient } from "@tanstack/react-query";
 import { useState } from "react";
 import { useLocation } from "wouter";
 import { listTasks } from "../../api/tasks";
@@ -46,7 +46,10 @@ export function ReviewPage() {
   });
   const tasks = queue.data?.items ?? [];
   const chosenId = Number(filter.value("task"));
-  const index = Math.max(0, tasks.findIndex((task) => task.id === chosenId));
+  const index = Math.max(
+    0,
+    tasks.findIndex((task) => task.id === chosenId),
+  );
   const chosen = tasks[index];
 
   const choose = (task: Task | undefined) =>

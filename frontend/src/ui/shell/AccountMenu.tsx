@@ -24,7 +24,13 @@ export function AccountMenu() {
         <Menu.Item leftSection={<IconUser size={15} />} onClick={() => go("/account")}>
           Your account
         </Menu.Item>
-        <Menu.Item leftSection={<IconBook size={15} />} component="a" href="/docs" target="_blank" rel="noreferrer">
+        <Menu.Item
+          leftSection={<IconBook size={15} />}
+          component="a"
+          href="/docs"
+          target="_blank"
+          rel="noreferrer"
+        >
           API documentation
         </Menu.Item>
         <Menu.Item

@@ -7,7 +7,12 @@ import classes from "./shell.module.css";
 function Item({ to, label, count }: { to: string; label: string; count?: number | undefined }) {
   const [active] = useRoute(to);
   return (
-    <Link href={to} className={classes.item} data-active={active || undefined} aria-current={active ? "page" : undefined}>
+    <Link
+      href={to}
+      className={classes.item}
+      data-active={active || undefined}
+      aria-current={active ? "page" : undefined}
+    >
       <span>{label}</span>
       {count !== undefined && <span className={classes.count}>{count}</span>}
     </Link>
@@ -19,7 +24,9 @@ function useCounts(oversees: boolean) {
   const mine = useQuery({
     queryKey: ["tasks", "count", "mine"],
     queryFn: () =>
-      listTasks({ assignee: "me", state: ["draft", "changes_requested"], page_size: 1 }).then((page) => page.total),
+      listTasks({ assignee: "me", state: ["draft", "changes_requested"], page_size: 1 }).then(
+        (page) => page.total,
+      ),
     refetchInterval: 60_000,
   });
   const review = useQuery({

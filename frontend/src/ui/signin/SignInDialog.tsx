@@ -9,7 +9,9 @@ export function SignInDialog({ name }: { name: string }) {
   return (
     <Modal opened={asking} onClose={() => answerSignIn(null)} title="Sign in again" zIndex={400} size={380}>
       <Stack gap={12}>
-        <p className="second">Your session has ended. Nothing is lost: what you were doing goes on after you sign in.</p>
+        <p className="second">
+          Your session has ended. Nothing is lost: what you were doing goes on after you sign in.
+        </p>
         <SignInForm initialName={name} onSignedIn={answerSignIn} />
       </Stack>
     </Modal>

@@ -1,0 +1,91 @@
+import { Button, Group, Modal, SegmentedControl, Stack } from "@mantine/core";
+import { useState } from "react";
+import type { ConflictingElement } from "../../api/types";
+import { conflictKey, differingNames, type Side, settledEdits } from "../../work/settle";
+import { counted, KIND_WORDS } from "../parts/words";
+import { tellProblem } from "../shell/tell";
+import { useScreen, useWorkspace } from "./context";
+import { useWork } from "./useFindings";
+import classes from "./workspace.module.css";
+
+const SIDES: { value: Side; label: string }[] = [
+  { value: "mine", label: "Keep mine" },
+  { value: "theirs", label: "Take theirs" },
+];
+
+/** Others saved what contradicts this draft: each element is settled, then editing goes on at the newer revision. */
+export function StaleDialog() {
+  const { work, workspace, editor, screen, reopen } = useWorkspace();
+  const shown = useScreen((state) => state.staleShown);
+  const stale = useWork((state) => state.stale);
+  const [choices, setChoices] = useState<ReadonlyMap<string, Side>>(new Map());
+  const [busy, setBusy] = useState(false);
+  if (work === null || stale === null) return null;
+
+  const settle = () => {
+    setBusy(true);
+    const edits = settledEdits(editor.actions.netEdits(), stale.conflicts, choices);
+    work
+      .rebase(stale.head, edits)
+      .then(reopen, tellProblem)
+      .finally(() => setBusy(false));
+  };
+  const open = stale.conflicts.filter((conflict) => !choices.has(conflictKey(conflict))).length;
+  return (
+    <Modal
+      opened={shown}
+      onClose={() => screen.setState({ staleShown: false })}
+      size="lg"
+      title={`Revision ${stale.head} contradicts ${counted(stale.conflicts.length, "edit")}`}
+    >
+      <Stack gap={12}>
+        <p className="second">
+          Somebody saved revision {stale.head} while you worked from revision {workspace.revision}. Decide for
+          each element; all your other edits stay.
+        </p>
+        <ul className={classes.conflicts}>
+          {stale.conflicts.map((conflict) => (
+            <li key={conflictKey(conflict)} className={classes.conflict}>
+              <Conflict conflict={conflict} />
+              <SegmentedControl
+                size="xs"
+                aria-label={`${KIND_WORDS[conflict.kind]} ${conflict.id}`}
+                data={SIDES}
+                value={choices.get(conflictKey(conflict)) ?? ""}
+                onChange={(side) => setChoices(new Map(choices).set(conflictKey(conflict), side as Side))}
+              />
+            </li>
+          ))}
+        </ul>
+        <Group justify="flex-end" gap={8}>
+          <Button variant="default" onClick={() => screen.setState({ staleShown: false })}>
+            Later
+          </Button>
+          <Button disabled={open > 0} loading={busy} onClick={settle}>
+            {open > 0 ? `${open} to decide` : `Go on at revision ${stale.head}`}
+          </Button>
+        </Group>
+      </Stack>
+    </Modal>
+  );
+}
+
+/** "deleted", or what was changed on it, by name. */
+function did(base: ConflictingElement["base"], version: ConflictingElement["base"]): string {
+  if (version === null) return "deleted it";
+  if (base === null) return "inserted it";
+  const names = differingNames(base, version).map((name) => name.replaceAll("_", " "));
+  return names.length === 0 ? "left it" : `changed ${names.join(", ")}`;
+}
+
+function Conflict({ conflict }: { conflict: ConflictingElement }) {
+  return (
+    <div>
+      <strong>
+        {KIND_WORDS[conflict.kind]} <span className="mono">{conflict.id}</span>
+      </strong>
+      <p className="second small">You {did(conflict.base, conflict.mine)}.</p>
+      <p className="second small">They {did(conflict.base, conflict.theirs)}.</p>
+    </div>
+  );
+}

@@ -1,0 +1,95 @@
+import { type ReactNode, useEffect, useMemo, useRef } from "react";
+import type { Workspace } from "../../api/types";
+import type { Editor } from "../../editor";
+import type { MapHandle } from "../../map";
+import type { WorkSession } from "../../work/workSession";
+import { shortLogName } from "../parts/words";
+import { createScreen, useScreen, useWorkspace, WorkspaceContext } from "./context";
+import { Inspector } from "./inspector/Inspector";
+import { KeysSheet } from "./KeysSheet";
+import { LeftPanel } from "./left/LeftPanel";
+import { MapArea } from "./MapArea";
+import { Resizer } from "./Resizer";
+import { StaleDialog } from "./StaleDialog";
+import { ToolRail } from "./ToolRail";
+import { useAddress } from "./useAddress";
+import { useCommands } from "./useCommands";
+import { useNotices } from "./useNotices";
+import { useWorkspaceKeys } from "./useWorkspaceKeys";
+import { WorkHeader } from "./WorkHeader";
+import classes from "./workspace.module.css";
+
+interface WorkspaceScreenProperties {
+  workspace: Workspace;
+  editor: Editor;
+  work: WorkSession | null;
+  reopen: () => void;
+  banner?: ReactNode;
+}
+
+export function WorkspaceScreen({ workspace, editor, work, reopen, banner }: WorkspaceScreenProperties) {
+  const screen = useMemo(() => createScreen(workspace), [workspace]);
+  const map = useRef<MapHandle>(null);
+  const value = useMemo(
+    () => ({ workspace, editor, work, screen, map, reopen }),
+    [workspace, editor, work, screen, reopen],
+  );
+  useEffect(() => {
+    document.title = `${shortLogName(workspace.task.log_id)} · task ${workspace.task.id} · Lanewright`;
+  }, [workspace]);
+  return (
+    <WorkspaceContext value={value}>
+      <Screen banner={banner} />
+    </WorkspaceContext>
+  );
+}
+
+function Screen({ banner }: { banner: ReactNode }) {
+  const { work } = useWorkspace();
+  const commands = useCommands();
+  useAddress();
+  useNotices();
+  useWorkspaceKeys(commands);
+  const leftShown = useScreen((state) => state.leftShown);
+  const inspectorShown = useScreen((state) => state.inspectorShown);
+
+  const { saveOnOpen } = commands;
+  useEffect(() => {
+    if (work === null) return;
+    work.start();
+    saveOnOpen();
+    return () => work.stop();
+  }, [work, saveOnOpen]);
+
+  return (
+    <div className={classes.screen}>
+      <WorkHeader commands={commands} />
+      {banner}
+      <div className={classes.body}>
+        <ToolRail />
+        {leftShown && (
+          <>
+            <LeftPanel commands={commands} />
+            <Resizer name="left" label="Width of the lists" initial={290} min={220} max={480} side="left" />
+          </>
+        )}
+        <MapArea commands={commands} />
+        {inspectorShown && (
+          <>
+            <Resizer
+              name="inspector"
+              label="Width of the inspector"
+              initial={300}
+              min={240}
+              max={440}
+              side="right"
+            />
+            <Inspector />
+          </>
+        )}
+      </div>
+      <KeysSheet />
+      <StaleDialog />
+    </div>
+  );
+}

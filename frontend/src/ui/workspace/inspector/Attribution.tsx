@@ -1,0 +1,26 @@
+import { keyText, type MapElement } from "../../../editor";
+import { useNow } from "../../parts/useNow";
+import { ago } from "../../parts/words";
+import { useEditor, useScreen } from "../context";
+import classes from "./inspector.module.css";
+
+/** Who wrote the element last, and in which revision. */
+export function Attribution({ element, deleted }: { element: MapElement; deleted: boolean }) {
+  const version = useScreen((state) => state.versions.get(keyText(element)));
+  const revision = useScreen((state) => state.revisions.find(({ number }) => number === version));
+  const saved = useEditor((state) =>
+    (element.kind === "lane_segment" ? state.saved.lanes : state.saved.crossings).has(element.id),
+  );
+  const now = useNow();
+  let words = "imported, unchanged since";
+  if (!saved && !deleted) words = "not saved yet";
+  else if (revision !== undefined) {
+    words = `revision ${revision.number} · ${revision.author?.name ?? "import"} · ${ago(revision.created_at, now)}`;
+  }
+  return (
+    <section className={classes.section}>
+      <h3 className="label">Version</h3>
+      <p className="second">{words}</p>
+    </section>
+  );
+}

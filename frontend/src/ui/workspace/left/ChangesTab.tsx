@@ -1,0 +1,37 @@
+import { ChangeList } from "../../changes/ChangeList";
+import { Loading } from "../../parts/Loading";
+import { ProblemNotice } from "../../parts/ProblemNotice";
+import { useEditor, useWorkspace } from "../context";
+import type { Commands } from "../useCommands";
+import { useFindings } from "../useFindings";
+import classes from "./left.module.css";
+
+/** The session so far, in words: everything that differs from the imported map. */
+export function ChangesTab({ commands }: { commands: Commands }) {
+  const { editor, work } = useWorkspace();
+  const { findings, checking, problem } = useFindings();
+  const selected = useEditor((state) => state.selection);
+  const hovered = useEditor((state) => state.hover);
+  if (problem !== null) return <ProblemNotice error={problem} />;
+  if (findings === null) return <Loading what="changes" />;
+  if (findings.changes.length === 0) {
+    return (
+      <p className={classes.nothing}>
+        {work === null
+          ? "Nothing was changed: prior and current map are the same."
+          : "Nothing is changed yet. Select a lane or crossing on the map and edit it, or draw a new one with the tools at the left."}
+      </p>
+    );
+  }
+  return (
+    <div aria-busy={checking}>
+      <ChangeList
+        findings={findings}
+        selected={selected}
+        hovered={hovered}
+        onSelect={commands.visit}
+        onHover={(key) => editor.actions.hover(key)}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,76 @@
+import { Button } from "@mantine/core";
+import { IconAlertTriangle, IconCircleX } from "@tabler/icons-react";
+import type { Violation } from "../../../api/types";
+import { KIND_WORDS } from "../../parts/words";
+import { useWorkspace } from "../context";
+import type { Commands } from "../useCommands";
+import classes from "./left.module.css";
+
+/** "replacement.unjustified" as a title: "Replacement unjustified". */
+export function issueTitle(code: string): string {
+  const words = code.replaceAll(/[._]/g, " ");
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+interface IssueProperties {
+  violation: Violation;
+  commands: Commands;
+  editable: boolean;
+  /** The one whose fix Enter applies. */
+  first: boolean;
+}
+
+/** What happened, why it is wrong, and the mend as a button. */
+export function Issue({ violation, commands, editable, first }: IssueProperties) {
+  const { editor } = useWorkspace();
+  const { kind, elements, severity, inherited } = violation;
+  const tone = inherited ? "inherited" : severity;
+  const Icon = severity === "error" ? IconCircleX : IconAlertTriangle;
+  const hover = (id: number | undefined) => editor.actions.hover(id === undefined ? null : { kind, id });
+  return (
+    // biome-ignore lint/a11y/noStaticElementInteractions: the pointer only lights the element up on the map
+    <article
+      className={classes.issue}
+      data-tone={tone}
+      onMouseEnter={() => hover(elements[0])}
+      onMouseLeave={() => hover(undefined)}
+    >
+      <h3 className={classes.issueTitle}>
+        <Icon size={15} aria-hidden />
+        {issueTitle(violation.code)}
+        <span className="visually-hidden">({severity})</span>
+      </h3>
+      <p>{violation.message}</p>
+      <p className={classes.issueElements}>
+        {elements.map((id) => (
+          <button
+            key={id}
+            type="button"
+            className={classes.link}
+            onClick={() => commands.visit({ kind, id })}
+          >
+            {KIND_WORDS[kind]} {id}
+          </button>
+        ))}
+      </p>
+      {editable && violation.fixes.length > 0 && (
+        <div className={classes.fixes}>
+          {violation.fixes.map((fix, index) => (
+            <Button
+              key={fix.title}
+              variant="default"
+              h="auto"
+              mih={28}
+              py={4}
+              styles={{ label: { whiteSpace: "normal" } }}
+              rightSection={first && index === 0 ? <kbd>Enter</kbd> : undefined}
+              onClick={() => commands.applyFix(violation, index)}
+            >
+              {fix.title}
+            </Button>
+          ))}
+        </div>
+      )}
+    </article>
+  );
+}

@@ -1,0 +1,112 @@
+import { useCallback, useMemo } from "react";
+import type { ElementKey, Violation } from "../../api/types";
+import type { PageCommand } from "../../map";
+import type { SaveOutcome } from "../../work/workSession";
+import { blockingErrors } from "../../work/workState";
+import { counted } from "../parts/words";
+import { tell, tellProblem } from "../shell/tell";
+import { useSession } from "../useSession";
+import { type LeftTab, useWorkspace, type WorkspaceValue, withRevision } from "./context";
+import { useFindings } from "./useFindings";
+
+/** What keys, buttons and the map have the workspace do. */
+export interface Commands {
+  save(): void;
+  /** Sends a save of an earlier visit again whose answer nobody saw. */
+  saveOnOpen(): void;
+  show(tab: LeftTab): void;
+  /** Selects an element and turns the map to it. */
+  visit(key: ElementKey): void;
+  nextIssue(): void;
+  applyFirstFix(): void;
+  applyFix(violation: Violation, fix: number): void;
+  run(command: PageCommand): void;
+}
+
+export function useCommands(): Commands {
+  const value = useWorkspace();
+  const { account } = useSession();
+  const { findings } = useFindings();
+  const me = useMemo(() => ({ id: account.id, name: account.name }), [account]);
+
+  const save = useCallback((onOpen: boolean) => saveAndTell(value, me, onOpen), [value, me]);
+  const saveNow = useCallback(() => save(false), [save]);
+  const saveOnOpen = useCallback(() => {
+    if (value.work?.hasPendingSave === true) save(true);
+  }, [save, value.work]);
+
+  return useMemo(() => {
+    const { editor, screen, map, work } = value;
+    const violations = findings?.violations.filter((violation) => !violation.inherited) ?? [];
+    const show = (tab: LeftTab) => screen.setState({ tab, leftShown: true });
+    const visit = (key: ElementKey) => {
+      editor.actions.select(key);
+      map.current?.fitElement(key);
+    };
+    /** The violations' elements while editing, the changes while reviewing. */
+    const stops: ElementKey[] =
+      work === null
+        ? (findings?.changes ?? [])
+        : violations.flatMap(({ kind, elements }) => elements.slice(0, 1).map((id) => ({ kind, id })));
+    const nextIssue = () => {
+      const selected = editor.getState().selection;
+      const at = stops.findIndex(({ kind, id }) => kind === selected?.kind && id === selected.id);
+      const next = stops[(at + 1) % Math.max(1, stops.length)];
+      if (next === undefined) return tell(work === null ? "Nothing was changed." : "There is no issue.");
+      show(work === null ? "changes" : "issues");
+      visit({ kind: next.kind, id: next.id });
+    };
+    const applyFix = (violation: Violation, fix: number) => {
+      const offered = violation.fixes[fix];
+      if (offered !== undefined) editor.actions.applyEdits(offered.edits, offered.title);
+    };
+    const applyFirstFix = () => {
+      const first = violations.find(({ fixes }) => fixes.length > 0);
+      if (first !== undefined && work !== null) applyFix(first, 0);
+    };
+    const stepFrame = (by: number) =>
+      screen.setState(({ frame }) => ({ frame: Math.max(0, (frame ?? -by) + by) }));
+    const run = (command: PageCommand) => {
+      if (command.name === "flicker") screen.setState({ flicker: command.held });
+      else if (command.name === "save") saveNow();
+      else if (command.name === "help") screen.setState({ keysShown: true });
+      else if (command.name === "find") show("find");
+      else if (command.name === "next_issue") nextIssue();
+      else if (command.name === "apply_fix") applyFirstFix();
+      else stepFrame(command.name === "next_frame" ? 1 : -1);
+    };
+    return { save: saveNow, saveOnOpen, show, visit, nextIssue, applyFirstFix, applyFix, run };
+  }, [value, findings, saveNow, saveOnOpen]);
+}
+
+function saveAndTell(value: WorkspaceValue, me: { id: number; name: string }, onOpen: boolean): void {
+  const { work, screen } = value;
+  if (work === null) return;
+  const { findings, stale } = work.store.getState();
+  if (!onOpen && stale !== null && stale.conflicts.length > 0) return screen.setState({ staleShown: true });
+  if (!onOpen && blockingErrors(findings) > 0) return screen.setState({ tab: "issues", leftShown: true });
+  work.save().then((outcome) => tellOutcome(outcome, value, me), tellProblem);
+}
+
+function tellOutcome(
+  outcome: SaveOutcome,
+  { screen }: WorkspaceValue,
+  me: { id: number; name: string },
+): void {
+  switch (outcome.kind) {
+    case "nothing":
+      return;
+    case "saved": {
+      screen.setState((state) => withRevision(state, outcome.saved, me));
+      const restored = outcome.saved.restored.length;
+      const below = restored === 0 ? "" : ` ${counted(restored, "edit")} below 5 cm went back to the base.`;
+      return tell(`Saved as revision ${outcome.saved.revision}.${below}`);
+    }
+    case "stale":
+      return screen.setState({ staleShown: true });
+    case "violations":
+      return screen.setState({ tab: "issues", leftShown: true });
+    case "failed":
+      return tellProblem(outcome.problem);
+  }
+}

@@ -1,0 +1,225 @@
+/**
+ * Keeps the draft: every edit at once on this computer, and within two seconds on the server. Neither copy is
+ * cleared before the server has answered the save (or the user has undone everything).
+ */
+import type { StoreApi } from "zustand/vanilla";
+import { asProblem } from "../api/problem";
+import type { Draft } from "../api/types";
+import { dropDraft, keepDraft, type SaveBody } from "../api/workspace";
+import type { Edit, Editor } from "../editor";
+import { backoffMs } from "./backoff";
+import { removeDraft, type WorkKey, writeDraft } from "./browserStore";
+import type { Keeping, WorkState } from "./workState";
+
+const PUSH_AFTER_MS = 2_000;
+
+export interface KeptSoFar {
+  serverVersion: number;
+  synced: boolean;
+  sent: SaveBody | null;
+}
+
+export class DraftKeeper {
+  private edits: Edit[];
+  private serverVersion: number;
+  private sent: SaveBody | null;
+  /** Whether there is something that the server has not. */
+  private dirty: boolean;
+  private changedAt = Date.now();
+  private failures = 0;
+  private timer: ReturnType<typeof setTimeout> | null = null;
+  private pushing: Promise<void> | null = null;
+  private paused = false;
+  private stopped = true;
+  private writing: Promise<void> = Promise.resolve();
+  private writeQueued = false;
+
+  constructor(
+    private readonly key: WorkKey,
+    private readonly editor: Editor,
+    private readonly store: StoreApi<WorkState>,
+    kept: KeptSoFar,
+  ) {
+    this.edits = editor.actions.netEdits();
+    this.serverVersion = kept.serverVersion;
+    this.sent = kept.sent;
+    this.dirty = !kept.synced && this.edits.length > 0;
+  }
+
+  start(): void {
+    this.stopped = false;
+    globalThis.addEventListener("online", this.pushNow);
+    if (this.dirty) this.schedule(0);
+  }
+
+  stop(): void {
+    this.stopped = true;
+    this.cancelTimer();
+    globalThis.removeEventListener("online", this.pushNow);
+  }
+
+  /** The map has changed. */
+  note(edits: Edit[]): void {
+    this.edits = edits;
+    this.changedAt = Date.now();
+    this.dirty = true;
+    this.show(edits.length === 0 ? { where: "nothing" } : { where: "computer" });
+    void this.persist();
+    this.schedule(PUSH_AFTER_MS);
+  }
+
+  /** Before a save: no draft may reach the server after it. Resolves when none is under way. */
+  async hold(body: SaveBody): Promise<void> {
+    this.paused = true;
+    this.cancelTimer();
+    await this.pushing;
+    this.sent = body;
+    await this.persist();
+  }
+
+  /** The save was refused, or its answer is given up for now (`undecided`: then it stays to be sent again). */
+  async release(undecided: boolean): Promise<void> {
+    this.paused = false;
+    if (!undecided) this.sent = null;
+    await this.persist();
+    if (this.dirty) this.schedule(0);
+  }
+
+  /** The server has answered the save, and dropped its draft with it; `edits`: what was made since. */
+  async saved(edits: Edit[]): Promise<void> {
+    this.paused = false;
+    this.sent = null;
+    this.serverVersion = 0;
+    this.edits = edits;
+    this.dirty = edits.length > 0;
+    this.show(this.dirty ? { where: "computer" } : { where: "nothing" });
+    await this.persist();
+    if (this.dirty) this.schedule(0);
+  }
+
+  /** This window's draft is to replace the newer one that the server holds. */
+  replace(newer: Draft): void {
+    this.serverVersion = newer.version;
+    this.dirty = true;
+    this.store.setState({ newerDraft: null });
+    this.schedule(0);
+  }
+
+  /** After `stop`: leaves a draft on another base for the next opening. */
+  async rebase(baseRevision: number, edits: Edit[]): Promise<void> {
+    await this.pushing;
+    await this.writing;
+    await writeDraft(this.key, {
+      format: 1,
+      baseRevision,
+      edits,
+      history: null,
+      serverVersion: this.serverVersion,
+      synced: false,
+      changedAt: Date.now(),
+      sent: null,
+    });
+  }
+
+  private persist(): Promise<void> {
+    if (this.writeQueued) return this.writing;
+    this.writeQueued = true;
+    this.writing = this.writing.then(() => this.write());
+    return this.writing;
+  }
+
+  private async write(): Promise<void> {
+    this.writeQueued = false;
+    const { savedRevision, history } = this.editor.getState();
+    try {
+      if (this.edits.length === 0 && this.sent === null) return await removeDraft(this.key);
+      await writeDraft(this.key, {
+        format: 1,
+        baseRevision: savedRevision,
+        edits: this.edits,
+        history,
+        serverVersion: this.serverVersion,
+        synced: !this.dirty,
+        changedAt: this.changedAt,
+        sent: this.sent,
+      });
+    } catch (error) {
+      // The server's copy is all there is then; the header says so until it is kept there.
+      if (this.dirty) this.show({ where: "nowhere", problem: asProblem(error) });
+      this.pushNow();
+    }
+  }
+
+  private schedule(afterMs: number): void {
+    if (this.stopped || this.paused || this.pushing !== null) return;
+    if (this.timer !== null && afterMs > 0) return;
+    this.cancelTimer();
+    this.timer = setTimeout(this.pushNow, afterMs);
+  }
+
+  private cancelTimer(): void {
+    if (this.timer !== null) clearTimeout(this.timer);
+    this.timer = null;
+  }
+
+  private readonly pushNow = (): void => {
+    this.cancelTimer();
+    if (this.stopped || this.paused || !this.dirty || this.pushing !== null) return;
+    this.pushing = this.push().then((againAfterMs) => {
+      this.pushing = null;
+      if (againAfterMs !== null) this.schedule(againAfterMs);
+    });
+  };
+
+  /** One attempt; resolves to the wait before the next, or null when there is nothing more to do by itself. */
+  private async push(): Promise<number | null> {
+    this.dirty = false;
+    try {
+      await this.pushEdits(this.edits);
+      this.failures = 0;
+      if (this.changedSince()) return PUSH_AFTER_MS;
+      this.show(this.edits.length === 0 ? { where: "nothing" } : { where: "server", at: Date.now() });
+      await this.persist();
+      return null;
+    } catch (error) {
+      this.dirty = true;
+      const problem = asProblem(error);
+      if (problem.passing) {
+        this.failures += 1;
+        this.show({ where: "offline" });
+        return backoffMs(this.failures);
+      }
+      const newer = problem.code === "draft.newer" ? (problem.facts.draft as Draft | null) : undefined;
+      if (newer === null) {
+        this.serverVersion = 0;
+        return 0;
+      }
+      this.show({ where: "refused", problem });
+      if (newer !== undefined) this.store.setState({ newerDraft: newer });
+      return null;
+    }
+  }
+
+  /** Whether edits were noted while a push was under way. */
+  private changedSince(): boolean {
+    return this.dirty;
+  }
+
+  private async pushEdits(edits: Edit[]): Promise<void> {
+    if (edits.length === 0) {
+      if (this.serverVersion !== 0) await dropDraft(this.key.task);
+      this.serverVersion = 0;
+      return;
+    }
+    const kept = await keepDraft(this.key.task, {
+      base_revision: this.editor.getState().savedRevision,
+      edits,
+      version: this.serverVersion,
+    });
+    this.serverVersion = kept.version;
+  }
+
+  private show(keeping: Keeping): void {
+    this.store.setState({ keeping });
+  }
+}

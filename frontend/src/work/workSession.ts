@@ -1,0 +1,183 @@
+/** An editable task that is open: its editor, its draft, its live check and its saves. */
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { asProblem, type Problem } from "../api/problem";
+import type { Draft, SavedRevision, Violation } from "../api/types";
+import { type SaveBody, saveRevision } from "../api/workspace";
+import type { Edit, Editor, SaveSnapshot } from "../editor";
+import { backoffMs, pause } from "./backoff";
+import type { WorkKey } from "./browserStore";
+import { Checker, staleBase } from "./checker";
+import { DraftKeeper, type KeptSoFar } from "./draftKeeper";
+import { newUuid } from "./uuid";
+import type { WorkState } from "./workState";
+
+export type SaveOutcome =
+  | { kind: "saved"; saved: SavedRevision }
+  | { kind: "nothing" }
+  /** The base moved on and contradicts the draft: `state.stale` says where. */
+  | { kind: "stale" }
+  /** Rules refuse it: `state.findings` says which. */
+  | { kind: "violations" }
+  | { kind: "failed"; problem: Problem };
+
+interface PendingSave {
+  body: SaveBody;
+  snapshot: SaveSnapshot;
+}
+
+export class WorkSession {
+  readonly store: StoreApi<WorkState>;
+  private readonly keeper: DraftKeeper;
+  private readonly checker: Checker;
+  private readonly ends = new AbortController();
+  private unsubscribe: (() => void) | null = null;
+
+  constructor(
+    private readonly key: WorkKey,
+    readonly editor: Editor,
+    kept: KeptSoFar & { keptAt: number | null },
+    /** A save that was sent before the page was closed and that nobody saw answered. */
+    private pending: PendingSave | null = null,
+  ) {
+    const edits = editor.actions.netEdits();
+    this.store = createStore<WorkState>(() => ({
+      edits: edits.length,
+      revision: editor.getState().savedRevision,
+      keeping:
+        edits.length === 0
+          ? { where: "nothing" }
+          : kept.synced && kept.keptAt !== null
+            ? { where: "server", at: kept.keptAt }
+            : { where: "computer" },
+      saving: "no",
+      findings: null,
+      checking: false,
+      checkProblem: null,
+      stale: null,
+      newerDraft: null,
+      elsewhere: false,
+    }));
+    this.keeper = new DraftKeeper(key, editor, this.store, kept);
+    this.checker = new Checker(key.task, editor, this.store);
+  }
+
+  start(): void {
+    this.keeper.start();
+    this.checker.note(this.editor.actions.netEdits(), 0);
+    this.unsubscribe = this.editor.subscribe((state, before) => {
+      if (state.current === before.current || state.saved !== before.saved) return;
+      const edits = this.editor.actions.netEdits();
+      this.store.setState({ edits: edits.length });
+      this.keeper.note(edits);
+      this.checker.note(edits);
+    });
+  }
+
+  /** Lets go; what is unsaved is kept. */
+  stop(): void {
+    this.unsubscribe?.();
+    this.unsubscribe = null;
+    this.keeper.stop();
+    this.checker.stop();
+  }
+
+  /** For good: also gives up a save that waits for the server; it is sent again when the task is opened. */
+  end(): void {
+    this.stop();
+    this.ends.abort();
+  }
+
+  /** Whether a save of an earlier visit waits to be sent again. */
+  get hasPendingSave(): boolean {
+    return this.pending !== null;
+  }
+
+  /** Turns the draft into a revision; a save whose answer is still unknown is settled first. */
+  async save(note = ""): Promise<SaveOutcome> {
+    if (this.store.getState().saving !== "no") return { kind: "nothing" };
+    if (this.pending !== null) {
+      const outcome = await this.send(this.pending);
+      if (outcome.kind !== "saved" || this.store.getState().edits === 0) return outcome;
+    }
+    const snapshot = this.editor.actions.takeSnapshot();
+    if (snapshot.edits.length === 0) return { kind: "nothing" };
+    const base_revision = this.editor.getState().savedRevision;
+    const body = { base_revision, edits: snapshot.edits, changeset_uuid: newUuid(), note };
+    return await this.send({ body, snapshot });
+  }
+
+  /** Ends this session with other edits for a newer base; the task is then opened anew and goes on with them. */
+  async rebase(baseRevision: number, edits: Edit[]): Promise<void> {
+    this.stop();
+    await this.keeper.rebase(baseRevision, edits);
+  }
+
+  keepMine(newer: Draft): void {
+    this.keeper.replace(newer);
+  }
+
+  private async send(pending: PendingSave): Promise<SaveOutcome> {
+    this.pending = pending;
+    this.store.setState({ saving: "sending" });
+    await this.keeper.hold(pending.body);
+    try {
+      const saved = await this.sendUntilAnswered(pending.body);
+      this.pending = null;
+      await this.adopt(saved, pending.snapshot);
+      return { kind: "saved", saved };
+    } catch (error) {
+      const problem = asProblem(error);
+      // Without a session nobody knows whether an earlier attempt of this save was carried out.
+      const undecided = problem.status === 401 || problem.status === 0;
+      if (!undecided) this.pending = null;
+      await this.keeper.release(undecided);
+      return this.refused(problem);
+    } finally {
+      this.store.setState({ saving: "no" });
+    }
+  }
+
+  /** The same request until the server answers it: a save that was carried out is answered as it was the first time. */
+  private async sendUntilAnswered(body: SaveBody): Promise<SavedRevision> {
+    for (let failures = 1; ; failures += 1) {
+      try {
+        return await saveRevision(this.key.task, body);
+      } catch (error) {
+        const problem = asProblem(error);
+        if (!problem.passing || problem.code === "page.failed") throw problem;
+        this.store.setState({ saving: "waiting" });
+        await pause(backoffMs(failures), this.ends.signal);
+        this.store.setState({ saving: "sending" });
+      }
+    }
+  }
+
+  private async adopt(saved: SavedRevision, snapshot: SaveSnapshot): Promise<void> {
+    this.editor.actions.adoptSaved(saved, snapshot);
+    const edits = this.editor.actions.netEdits();
+    this.store.setState({ edits: edits.length, revision: saved.revision, stale: null });
+    if (edits.length === 0) {
+      this.checker.stop();
+      this.store.setState({ findings: saved.findings, checking: false, checkProblem: null });
+    } else this.checker.note(edits);
+    await this.keeper.saved(edits);
+  }
+
+  private refused(problem: Problem): SaveOutcome {
+    if (problem.code === "save.stale") {
+      this.store.setState({ stale: staleBase(problem.facts) });
+      return { kind: "stale" };
+    }
+    if (problem.code === "save.violations") {
+      this.showViolations(problem.facts.violations as Violation[]);
+      return { kind: "violations" };
+    }
+    return { kind: "failed", problem };
+  }
+
+  private showViolations(refusing: Violation[]): void {
+    const findings = this.store.getState().findings ?? { changes: [], updates: [], violations: [] };
+    const others = findings.violations.filter((known) => !refusing.some(({ id }) => id === known.id));
+    this.store.setState({ findings: { ...findings, violations: [...refusing, ...others] } });
+  }
+}

@@ -1,0 +1,46 @@
+/** What the workspace knows of its work: how much is unsaved, where it is kept, and what the server says of it. */
+import type { Problem } from "../api/problem";
+import type { ConflictingElement, Draft, Findings } from "../api/types";
+
+/** Where the unsaved work is kept. */
+export type Keeping =
+  /** Nothing is unsaved. */
+  | { where: "nothing" }
+  /** On this computer; on its way to the server. */
+  | { where: "computer" }
+  /** On this computer only: the server cannot be reached; asked again by itself. */
+  | { where: "offline" }
+  /** On this computer only: the server refuses it. */
+  | { where: "refused"; problem: Problem }
+  | { where: "server"; at: number }
+  /** Not even this computer keeps it (private browsing, full disk). */
+  | { where: "nowhere"; problem: Problem };
+
+export type Saving = "no" | "sending" | "waiting";
+
+export interface StaleBase {
+  head: number;
+  conflicts: ConflictingElement[];
+}
+
+export interface WorkState {
+  /** Net edits since the open revision. */
+  edits: number;
+  revision: number;
+  keeping: Keeping;
+  saving: Saving;
+  /** null: not checked yet. */
+  findings: Findings | null;
+  checking: boolean;
+  /** The last check that failed for another reason than the connection. */
+  checkProblem: Problem | null;
+  /** Others saved a newer revision that contradicts the draft. */
+  stale: StaleBase | null;
+  /** Another window or computer kept a newer draft. */
+  newerDraft: Draft | null;
+  /** Another tab of this browser took the task over; this one does not edit any more. */
+  elsewhere: boolean;
+}
+
+export const blockingErrors = (findings: Findings | null): number =>
+  findings?.violations.filter((violation) => violation.blocks).length ?? 0;
