@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -12,14 +13,15 @@ import shapely
 from lanewright.core.elements import LaneSegment, LaneType, Line, MapState
 from lanewright.demo import build_map, demo_maps
 
-SEEDS = (7, 1, 20)
-MAPS = [
-    pytest.param(state, id=f"{seed}-{index}-{side}")
-    for seed in SEEDS
-    for index, pair in enumerate(demo_maps(seed))
-    for side, state in zip(("base", "changed"), pair, strict=True)
-] + [pytest.param(build_map(seed, blocks=(2, 1)), id=f"grid-{seed}") for seed in SEEDS]
-for_each_map = pytest.mark.parametrize("state", MAPS)
+SEEDS = (7, 20)
+maps_of = cache(demo_maps)
+
+
+@pytest.fixture(params=[(seed, place, side) for seed in SEEDS for place in range(4) for side in (0, 1)], ids=str)
+def state(request: pytest.FixtureRequest) -> MapState:
+    """Base (0) and changed (1) map of each place; the fourth place is a grid."""
+    seed, place, side = request.param
+    return build_map(seed + side, blocks=(2, 1)) if place == 3 else maps_of(seed)[place][side]
 
 
 def flat(line: Line) -> np.ndarray:
@@ -33,7 +35,6 @@ def widths(lane: LaneSegment) -> np.ndarray:
     return np.asarray(shapely.distance(middle, right))
 
 
-@for_each_map
 def test_linked_lanes_meet_exactly(state: MapState) -> None:
     links = 0
     for lane in state.lanes.values():
@@ -46,7 +47,6 @@ def test_linked_lanes_meet_exactly(state: MapState) -> None:
     assert links > len(state.lanes) / 2
 
 
-@for_each_map
 def test_neighbours_share_their_line_and_its_paint(state: MapState) -> None:
     shared = 0
     for lane in state.lanes.values():
@@ -65,7 +65,6 @@ def test_neighbours_share_their_line_and_its_paint(state: MapState) -> None:
     assert shared > len(state.lanes) / 8
 
 
-@for_each_map
 def test_lanes_are_simple_and_left_is_on_the_left(state: MapState) -> None:
     for lane in state.lanes.values():
         ring = shapely.LinearRing([*flat(lane.right_boundary), *flat(lane.left_boundary)[::-1]])
@@ -75,7 +74,6 @@ def test_lanes_are_simple_and_left_is_on_the_left(state: MapState) -> None:
             assert all(first[:2] != second[:2] for first, second in pairwise(line))
 
 
-@for_each_map
 def test_widths_are_those_of_roads(state: MapState) -> None:
     for lane in state.lanes.values():
         measured = widths(lane)
@@ -90,7 +88,6 @@ def test_widths_are_those_of_roads(state: MapState) -> None:
             assert measured.max() < 5.3, lane.id
 
 
-@for_each_map
 def test_no_lane_bends_sharper_than_a_car_can_steer(state: MapState) -> None:
     for lane in state.lanes.values():
         sides = [shapely.LineString(flat(line)) for line in (lane.left_boundary, lane.right_boundary)]
@@ -110,7 +107,6 @@ def test_no_lane_bends_sharper_than_a_car_can_steer(state: MapState) -> None:
         assert radius > (4.0 if lane.is_intersection else 20.0), lane.id
 
 
-@for_each_map
 def test_coordinates_are_centimetres(state: MapState) -> None:
     for element in state:
         lines = (
@@ -121,7 +117,6 @@ def test_coordinates_are_centimetres(state: MapState) -> None:
         assert all(value == round(value, 2) for line in lines for point in line for value in point)
 
 
-@for_each_map
 def test_slopes_are_those_of_streets(state: MapState) -> None:
     heights = []
     for lane in state.lanes.values():
@@ -133,7 +128,6 @@ def test_slopes_are_those_of_streets(state: MapState) -> None:
     assert np.ptp(heights) > 0.5
 
 
-@for_each_map
 def test_crossings_span_a_road(state: MapState) -> None:
     assert len(state.crossings) >= 2 or not any(lane.is_intersection for lane in state.lanes.values())
     for zebra in state.crossings.values():

@@ -57,7 +57,7 @@ def block_lanes(road: Road, index: int, start: float, end: float, ground: Ground
     block = road.blocks[index]
     lanes: list[LaneDraft] = []
     for section in _sections(block, start, end):
-        for piece, (first, last) in enumerate(_pieces(road.path, block, section, start, end)):
+        for piece, (first, last) in enumerate(_pieces(road, block, section, start, end)):
             name = f"{road.name}/{index}/{section.name}.{piece}"
             lanes += _section_lanes(name, road.path, ground, section, first, last)
     return lanes
@@ -84,20 +84,26 @@ def _sections(block: Block, start: float, end: float) -> Iterator[_Section]:
         yield _Section("end", end - zone.storage, end, zone.section, zone.section)
 
 
-def _pieces(path: Path, block: Block, section: _Section, start: float, end: float) -> Iterator[tuple[Cut, Cut]]:
-    """Where a section is cut into pieces, from its start to its end."""
-    cuts = [Cut(section.start)]
+def _pieces(road: Road, block: Block, section: _Section, start: float, end: float) -> Iterator[tuple[Cut, Cut]]:
+    """Where a section is cut into pieces, from its start to its end; oblique cuts do not meet between the curbs."""
+    cuts, half_width = [Cut(section.start)], max(road.curb_left, road.curb_right)
     if section.upstream is section.downstream:
         wanted = [Cut((start if at >= 0 else end) + at) for at in block.cuts]
-        wanted += [tile_cut(path, start + at) for at in block.tile_cuts]
-        first, last = section.start + SHORTEST_PIECE_M, section.end - SHORTEST_PIECE_M
-        cuts += sorted((cut for cut in wanted if first < cut.station < last), key=lambda cut: cut.station)
+        wanted += [tile_cut(road, start + at) for at in block.tile_cuts]
+        for cut in sorted(wanted, key=lambda cut: cut.station):
+            reach = abs(cut.skew) * half_width + SHORTEST_PIECE_M
+            before = cuts[-1].station + abs(cuts[-1].skew) * half_width
+            if before + reach < cut.station < section.end - reach:
+                cuts.append(cut)
     cuts.append(Cut(section.end))
     yield from pairwise(cuts)
 
 
-def tile_cut(path: Path, station: float) -> Cut:
-    """The 30 m grid line nearest to a station that crosses the (locally straight) road less obliquely."""
+def tile_cut(road: Road, station: float) -> Cut:
+    """The 30 m grid line nearest to a station that crosses the road less obliquely; straight across in a bend."""
+    path, width = road.path, road.curb_left + road.curb_right
+    if not path.is_straight(station - TILE_M - width, station + TILE_M + width):
+        return Cut(station)
     heading = path.heading_at(station)
     axis = 0 if abs(math.cos(heading)) > abs(math.sin(heading)) else 1
     along = math.cos(heading) if axis == 0 else math.sin(heading)
