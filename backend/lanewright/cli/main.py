@@ -20,6 +20,8 @@ COMMANDS = {
     "export": ("lanewright.cli.export", "Write the accepted revisions of a split as a tar archive."),
     "demo": ("lanewright.cli.demo", "Generate demo logs in the TbV directory layout."),
     "diff": ("lanewright.cli.diff", "Derive the atomic changes between two maps."),
+    "check": ("lanewright.cli.check", "Check an edited map against the rules of change mapping."),
+    "canonicalise": ("lanewright.cli.canonicalise", "Write an edited map under its canonical ids."),
     "verify": ("lanewright.cli.verify", "Recompute content hashes and changes, and say where they differ."),
     "user": ("lanewright.cli.user", "Add, disable and reset people's accounts."),
     "token": ("lanewright.cli.token", "Make, list and revoke API tokens."),
@@ -27,6 +29,7 @@ COMMANDS = {
     "restore": ("lanewright.cli.restore", "Bring back what backup wrote."),
     "migrate": ("lanewright.cli.migrate", "Bring the database to the tables of this version."),
     "worker": ("lanewright.cli.worker", "Run background jobs."),
+    "health": ("lanewright.cli.health", "Tell whether the server and the worker are well."),
     "db": ("lanewright.cli.db", "Start, stop and enter the database."),
     "openapi": ("lanewright.cli.openapi", "Print the API's OpenAPI description."),
 }
