@@ -32,6 +32,7 @@ hypothesis.settings.load_profile("lanewright")
 @pytest.fixture(scope="session")
 def template_url() -> Iterator[str]:
     """A cluster for this run of the tests, with the migrated database that all others are copies of."""
+    from lanewright.db.engine import engine_for
     from lanewright.db.migration import migrate
 
     _remove_abandoned_homes()
@@ -40,6 +41,7 @@ def template_url() -> Iterator[str]:
     try:
         with PrivateCluster(home, durable=False).lease() as url:
             migrate(url)
+            engine_for(url).dispose()  # a database that somebody is connected to cannot be copied
             yield url
     except ClusterError as error:
         pytest.fail(f"The tests need PostgreSQL with PostGIS: {error}", pytrace=False)
