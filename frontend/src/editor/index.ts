@@ -20,7 +20,7 @@ export type {
   Side,
   VertexRef,
 } from "./elements";
-export { keyText, otherSide, parseKey } from "./elements";
+export { isSide, keyText, otherSide, parseKey } from "./elements";
 export { commandOf, KEY_TABLE, type KeyBinding, type KeyCommand, type KeyPress, nudgeOf } from "./keys";
 export { boundary, lineNames, lineOf, markOf, neighborOf, ringOf } from "./lines";
 export {
@@ -34,6 +34,10 @@ export {
   stripesOf,
 } from "./marks";
 export { centreOf, laneLength, laneWidth, measuresOf, widthAt } from "./measure";
+export { elementsAt } from "./picking";
+export { centreline } from "./polyline";
+export { besideTarget, previewOf } from "./preview";
+export { type Catch, snap, snapToLaneEnd } from "./snapping";
 export type {
   CreateEditor,
   DrawLaneOptions,
@@ -53,4 +57,5 @@ export type {
   Tool,
 } from "./state";
 export { createEditor } from "./store";
+export { together } from "./topology";
 export type { Edit, EditorSavedRevision, EditorWorkspace, IdBlock, ReceivedEdit } from "./wire";

@@ -18,6 +18,8 @@ export type KeyCommand =
   | "next_underneath"
   | "fit_element"
   | "fit_log"
+  | "zoom_in"
+  | "zoom_out"
   | "flicker"
   | "next_issue"
   | "next_frame"
@@ -125,6 +127,8 @@ export const KEY_TABLE: readonly KeyBinding[] = [
     group: "View",
   },
   { command: "fit_log", keys: ["0"], label: "0", words: "Show the whole log", group: "View" },
+  { command: "zoom_in", keys: ["+", "="], label: "+", words: "Closer", group: "View" },
+  { command: "zoom_out", keys: ["-"], label: "-", words: "Farther", group: "View" },
   {
     command: "flicker",
     keys: ["Backquote"],

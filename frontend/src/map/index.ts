@@ -1,4 +1,6 @@
 /** The map: the only importer of maplibre-gl. */
+export { MapView } from "./MapView";
+export { CHANGE_COLOURS } from "./palette";
 export type {
   CityFrame,
   Direction,

@@ -52,6 +52,8 @@ export interface MapViewProperties {
   readonly lidar?: LidarImage | null;
   /** 0 to 1. */
   readonly lidarOpacity?: number;
+  /** Direction arrows; default: shown. */
+  readonly arrows?: boolean;
   readonly drive?: DrivePath | null;
   readonly activeFrame?: number | null;
   readonly onFrame?: (index: number) => void;
