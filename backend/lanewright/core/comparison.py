@@ -131,6 +131,27 @@ class Comparison:
                         found[(other, lane) if flip else (lane, other)] = other in now
         return tuple(sorted(found.items()))
 
+    @cached_property
+    def changed_keys(self) -> frozenset[ElementKey]:
+        """All elements with an atomic change."""
+        lanes = {*self.deleted_lanes, *self.inserted_lanes}
+        lanes.update(lane for link, _ in self.changed_links for lane in link)
+        lanes.update(lane for lane in self.differing_lanes if self.changed_in_place(lane))
+        crossings = {*self.deleted_crossings, *self.inserted_crossings}
+        crossings.update(crossing for crossing in self.differing_crossings if self.crossing_moved(crossing))
+        return frozenset({*map(lane_key, lanes), *map(crossing_key, crossings)})
+
+    def changed_in_place(self, lane: int) -> bool:
+        """Whether geometry, marking or type of a surviving lane changed."""
+        was, now = self.base.lanes[lane], self.edited.lanes[lane]
+        return (
+            was.left_mark is not now.left_mark
+            or was.right_mark is not now.right_mark
+            or was.lane_type is not now.lane_type
+            or was.is_intersection != now.is_intersection
+            or any(self.moved_sides(lane))
+        )
+
     def shape(self, key: ElementKey, *, edited: bool) -> Shape:
         """The area that an element covers in the edited map (else in the base), remembered."""
         if (edited, key) not in self._polygons:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
+from weakref import WeakKeyDictionary
 
 import shapely
 
@@ -21,8 +22,18 @@ def structural_updates(comparison: Comparison, changes: Iterable[AtomicChange]) 
     by_key = {change.key: change for change in changes}
     return tuple(
         StructuralUpdate(group, macros(comparison, [by_key[key] for key in group]))
-        for group in touching_groups(comparison, by_key.keys())
+        for group in update_groups(comparison)
     )
+
+
+_remembered: WeakKeyDictionary[Comparison, tuple[tuple[ElementKey, ...], ...]] = WeakKeyDictionary()
+
+
+def update_groups(comparison: Comparison) -> tuple[tuple[ElementKey, ...], ...]:
+    """The elements of each structural update, by smallest element; worked out once per comparison."""
+    if comparison not in _remembered:
+        _remembered[comparison] = touching_groups(comparison, comparison.changed_keys)
+    return _remembered[comparison]
 
 
 def touching_groups(comparison: Comparison, keys: Collection[ElementKey]) -> tuple[tuple[ElementKey, ...], ...]:

@@ -8,11 +8,10 @@ lane returns in both (it moved by less than the tolerance there), one that only 
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from typing import Any
 
 from lanewright.core.comparison import Comparison
-from lanewright.core.diff import atomic_changes
 from lanewright.core.elements import Element, ElementKey, ElementKind, LaneSegment, Line, MapState, Point
 
 _SIDES = ("left", "right")
@@ -41,7 +40,7 @@ def restore(base: MapState, edited: MapState) -> MapState:
 
 
 def _restored(comparison: Comparison) -> MapState:
-    changed = {change.key for change in atomic_changes(comparison)}
+    changed = comparison.changed_keys
     back = _ReturningLines(comparison, changed)
     elements: dict[ElementKey, Element] = {}
     for element in comparison.edited:
@@ -63,7 +62,7 @@ def _restored(comparison: Comparison) -> MapState:
 class _ReturningLines:
     """Lines and joints that return to the base, by what they are in the edited map."""
 
-    def __init__(self, comparison: Comparison, changed: set[ElementKey]):
+    def __init__(self, comparison: Comparison, changed: Collection[ElementKey]):
         self._lines: dict[tuple[Place, ...], Line] = {}
         self._places: dict[Place, Point] = {}
         self._own: dict[tuple[int, str], Line] = {}

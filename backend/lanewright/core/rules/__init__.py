@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterable
 
 from lanewright.core.claims import NO_CLAIMS, Claims
 from lanewright.core.comparison import Comparison
-from lanewright.core.edits import edits_between
 from lanewright.core.elements import ElementKey, MapState
 from lanewright.core.rules import (
     change_exclusive,
@@ -27,8 +25,10 @@ from lanewright.core.rules import (
     replacement_function_preserved,
     replacement_unjustified,
 )
+from lanewright.core.rules.precedence import standing_violations
 from lanewright.core.rules.rule import Rule
-from lanewright.core.violations import Fix, Violation
+from lanewright.core.rules.trial import FixTrial
+from lanewright.core.violations import Violation
 
 RULES: tuple[Rule, ...] = (
     replacement_unjustified.RULE,
@@ -62,7 +62,10 @@ def check(base: MapState, edited: MapState, claims: Claims = NO_CLAIMS) -> tuple
 def check_of(comparison: Comparison) -> tuple[Violation, ...]:
     """``check`` of maps that are compared already."""
     found = findings(comparison)
-    return tuple(dataclasses.replace(violation, fixes=_fixes(comparison, violation, found)) for violation in found)
+    fixes = FixTrial(comparison, found, findings)
+    return tuple(
+        dataclasses.replace(violation, fixes=fixes.of(violation, _RULE[violation.code])) for violation in found
+    )
 
 
 def findings(comparison: Comparison) -> tuple[Violation, ...]:
@@ -70,47 +73,8 @@ def findings(comparison: Comparison) -> tuple[Violation, ...]:
     found = [
         violation for rule in RULES if rule is not identity_not_canonical.RULE for violation in rule.find(comparison)
     ]
-    standing = _standing(found)
+    standing = standing_violations(found, _RULE)
     # The canonical form is worked out only for updates in which nothing else is wrong: it gives way to all others.
     told = {ElementKey(one.kind, element) for one in standing if not one.inherited for element in one.elements}
     standing += identity_not_canonical.find_beside(comparison, told)
     return tuple(sorted(standing, key=lambda violation: violation.id))
-
-
-def _fixes(comparison: Comparison, violation: Violation, found: tuple[Violation, ...]) -> tuple[Fix, ...]:
-    """The first remedy that removes the violation and adds none; failing that, the first that removes it."""
-    known = {other.id for other in found if not other.inherited}
-    second: tuple[Fix, ...] = ()
-    for remedy in _RULE[violation.code].remedies(comparison, violation):
-        left = findings(Comparison(comparison.base, remedy.edited, comparison.claims))
-        if any(other.id == violation.id for other in left):
-            continue
-        fix = Fix(remedy.title, edits_between(comparison.edited, remedy.edited))
-        if all(other.inherited or other.id in known for other in left):
-            return (fix,)
-        second = second or (fix,)
-    return second
-
-
-def _standing(found: Iterable[Violation]) -> list[Violation]:
-    """The violations that do not give way to another (spec §5): one defect is told once."""
-    violations = list(found)
-    return [
-        violation
-        for violation in violations
-        if not any(_silences(other, violation, _RULE[violation.code].gives_way_to) for other in violations)
-    ]
-
-
-def _silences(other: Violation, violation: Violation, codes: tuple[str, ...]) -> bool:
-    """Whether another violation tells the same defect: on the same elements, a part of them, or for duplicates any."""
-    if other.kind is not violation.kind or not any(
-        other.code == code or (code.endswith(".") and other.code.startswith(code)) for code in codes
-    ):
-        return False
-    mine, theirs = set(violation.elements), set(other.elements)
-    if violation.code == element_duplicate.CODE:
-        return not mine.isdisjoint(theirs)
-    if violation.code == replacement_function_preserved.CODE:
-        return theirs <= mine
-    return mine <= theirs

@@ -32,7 +32,9 @@ def find(comparison: Comparison) -> Iterator[Violation]:
 
 def _duplicate_lanes(comparison: Comparison) -> set[tuple[ElementKey, ElementKey]]:
     lanes = comparison.edited.lanes
-    touched = comparison.inserted_lanes.union(lane for lane in comparison.differing_lanes if _changed(comparison, lane))
+    touched = comparison.inserted_lanes.union(
+        lane for lane in comparison.differing_lanes if comparison.changed_in_place(lane)
+    )
     found = set()
     for lane in touched:
         for other in comparison.edited_linework.like(lane):
@@ -43,16 +45,6 @@ def _duplicate_lanes(comparison: Comparison) -> set[tuple[ElementKey, ElementKey
             ):
                 found.add((lane_key(min(lane, other)), lane_key(max(lane, other))))
     return found
-
-
-def _changed(comparison: Comparison, lane: int) -> bool:
-    was, now = comparison.base.lanes[lane], comparison.edited.lanes[lane]
-    return (was.left_mark, was.right_mark, was.lane_type, was.is_intersection) != (
-        now.left_mark,
-        now.right_mark,
-        now.lane_type,
-        now.is_intersection,
-    ) or any(comparison.moved_sides(lane))
 
 
 def _duplicate_crossings(comparison: Comparison) -> set[tuple[ElementKey, ElementKey]]:

@@ -6,9 +6,8 @@ from collections.abc import Collection, Iterator
 
 from lanewright.core.canonical import canonical_form
 from lanewright.core.comparison import Comparison
-from lanewright.core.diff import atomic_changes
 from lanewright.core.elements import ElementKey, ElementKind
-from lanewright.core.macros import touching_groups
+from lanewright.core.macros import update_groups
 from lanewright.core.rules.remedy import identity_remedies
 from lanewright.core.rules.rule import Rule
 from lanewright.core.violations import Severity, Violation
@@ -29,7 +28,7 @@ def find_beside(comparison: Comparison, told: Collection[ElementKey]) -> Iterato
     """
     if not _came_and_went(comparison):
         return
-    for group in touching_groups(comparison, {change.key for change in atomic_changes(comparison)}):
+    for group in update_groups(comparison):
         if not any(key in told for key in group) and _ambiguous(comparison, group):
             canonical = canonical_form(comparison.base, comparison.edited, group)
             if canonical.edited is not comparison.edited:

@@ -3,31 +3,41 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from weakref import WeakKeyDictionary
 
 from lanewright.core.canonical import Canonical, canonical_form
 from lanewright.core.comparison import Comparison
-from lanewright.core.diff import atomic_changes
 from lanewright.core.elements import ElementKey, ElementKind
-from lanewright.core.macros import touching_groups
+from lanewright.core.macros import update_groups
 from lanewright.core.rules.rule import Remedy
 from lanewright.core.violations import Violation
 from lanewright.core.wording import listed
 
+Group = tuple[ElementKey, ...] | None
 _MOST_NAMED = 3
 _NOUNS = {ElementKind.LANE_SEGMENT: "lane", ElementKind.PEDESTRIAN_CROSSING: "crossing"}
+
+
+_remembered: WeakKeyDictionary[Comparison, dict[Group, Remedy]] = WeakKeyDictionary()
+"""All violations of one update have the same remedy, so it is worked out once."""
 
 
 def identity_remedies(comparison: Comparison, violation: Violation) -> Iterator[Remedy]:
     """The canonical form of the structural update; failing that, of the whole map."""
     keys = {ElementKey(violation.kind, element) for element in violation.elements}
-    changed = {change.key for change in atomic_changes(comparison)}
-    for group in touching_groups(comparison, changed | keys):
+    for group in update_groups(comparison):
         if not keys.isdisjoint(group):
-            canonical = canonical_form(comparison.base, comparison.edited, group)
-            yield Remedy(title_of(canonical), canonical.edited)
+            yield _canonical_remedy(comparison, group)
             break
-    canonical = canonical_form(comparison.base, comparison.edited)
-    yield Remedy(title_of(canonical), canonical.edited)
+    yield _canonical_remedy(comparison, None)
+
+
+def _canonical_remedy(comparison: Comparison, group: Group) -> Remedy:
+    known = _remembered.setdefault(comparison, {})
+    if group not in known:
+        canonical = canonical_form(comparison.base, comparison.edited, group)
+        known[group] = Remedy(title_of(canonical), canonical.edited)
+    return known[group]
 
 
 def title_of(canonical: Canonical) -> str:

@@ -1,0 +1,41 @@
+"""Which violation is told when several tell the same defect (spec §5, *gives way to*)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from lanewright.core.elements import ElementKey
+from lanewright.core.rules import element_duplicate, replacement_function_preserved
+from lanewright.core.rules.rule import Rule
+from lanewright.core.violations import Violation
+
+
+def standing_violations(found: Iterable[Violation], rules: Mapping[str, Rule]) -> list[Violation]:
+    """The violations that do not give way to another."""
+    violations = list(found)
+    by_element: dict[ElementKey, list[Violation]] = {}
+    for violation in violations:
+        for element in violation.elements:
+            by_element.setdefault(ElementKey(violation.kind, element), []).append(violation)
+    return [
+        violation
+        for violation in violations
+        if not any(
+            _silences(other, violation, rules[violation.code].gives_way_to)
+            for element in violation.elements
+            for other in by_element[ElementKey(violation.kind, element)]
+        )
+    ]
+
+
+def _silences(other: Violation, violation: Violation, codes: tuple[str, ...]) -> bool:
+    """Whether a violation on shared elements tells the same defect: all of the other's elements, a preserved function
+    also where it holds the replaced parts, a duplicate wherever they share one."""
+    if not any(other.code == code or (code.endswith(".") and other.code.startswith(code)) for code in codes):
+        return False
+    mine, theirs = set(violation.elements), set(other.elements)
+    if violation.code == element_duplicate.CODE:
+        return True
+    if violation.code == replacement_function_preserved.CODE:
+        return theirs <= mine
+    return mine <= theirs
