@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import psycopg
+
 from lanewright.jobs.maintenance import retry_stalled_jobs
 from lanewright.jobs.queue import opened_queue
 
@@ -26,3 +28,11 @@ async def run_worker(url: str, *, wait: bool = True) -> None:
             shutdown_graceful_timeout=GRACE_S,
             delete_jobs="successful",
         )
+
+
+def seconds_since_heartbeat(url: str) -> float | None:
+    """How long ago the liveliest worker gave a sign of life; None if there is no worker."""
+    with psycopg.connect(url) as connection:
+        query = "SELECT extract(epoch FROM now() - max(last_heartbeat))::float8 FROM procrastinate_workers"
+        row = connection.execute(query).fetchone()
+    return row[0] if row else None
