@@ -63,7 +63,11 @@ def lidar_image(session: Session, actor: Actor, log_id: str) -> KeptImage:
     log = logs.find_log(session, log_id) if actor.reviews else logs.find_log_of_assignee(session, log_id, actor.id)
     sha256 = None if log is None else logs.asset_hashes(session, log.id).get(LIDAR_IMAGE)
     if log is None or sha256 is None:
-        raise NotFound("There is no lidar image of this log.", code="lidar.not_found")
+        raise NotFound(
+            "There is no lidar image of this log.",
+            mend="The map can be edited without it; see absent in the list of logs.",
+            code="lidar.not_found",
+        )
     return KeptImage(log.id, sha256)
 
 
