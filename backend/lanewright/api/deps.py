@@ -88,7 +88,8 @@ def browser_session(
         Forbidden: another site's page sent it, or the CSRF token is not the session's.
     """
     if cookie is None:
-        raise Unauthenticated("Nobody is signed in.", mend="Sign in.", code="session.none")
+        # The sign-in page offers the demo's sign-ins where they are good.
+        raise Unauthenticated("Nobody is signed in.", mend="Sign in.", code="session.none", demo=settings.demo_allowed)
     found = sessions.resume(session, cookie, rules)
     if request.method not in SAFE_METHODS:
         require_own_origin(request, settings)

@@ -97,9 +97,9 @@ def resume(session: Session, token: str, rules: SessionRules) -> AccountSession:
     now = _now()
     found = accounts.session_by_digest(session, digest(token))
     if found is None or found.account.disabled_at is not None:
-        raise _signed_out("You are signed out.")
+        raise _signed_out("You are signed out.", rules)
     if found.expires_at <= now or found.last_seen_at + rules.idle <= now:
-        raise _signed_out("Your sign-in has expired.")
+        raise _signed_out("Your sign-in has expired.", rules)
     if now - found.last_seen_at > _TOUCH_EVERY:
         accounts.touch_session(session, found.token_sha256, now)
     return found
@@ -145,8 +145,10 @@ def actor_of(account: Account) -> Actor:
     return Actor(id=account.id, name=account.name, role=Role(account.role))
 
 
-def _signed_out(message: str) -> Unauthenticated:
-    return Unauthenticated(message, mend="Sign in; nothing of your draft is lost.", code="session.none")
+def _signed_out(message: str, rules: SessionRules) -> Unauthenticated:
+    return Unauthenticated(
+        message, mend="Sign in; nothing of your draft is lost.", code="session.none", demo=rules.demo_allowed
+    )
 
 
 def _now() -> datetime.datetime:

@@ -18,11 +18,13 @@ export function App() {
   const account = session?.account.id;
   const shown = useRef(account);
 
-  const load = () => {
+  useEffect(() => {
+    loadSession().catch(setFailure);
+  }, []);
+  const retry = () => {
     setFailure(null);
     loadSession().catch(setFailure);
   };
-  useEffect(load, []);
 
   // What was loaded for one account is not shown to the next.
   useEffect(() => {
@@ -33,7 +35,7 @@ export function App() {
   if (failure !== null) {
     return (
       <main className="centred">
-        <ProblemNotice error={failure} onRetry={load} />
+        <ProblemNotice error={failure} onRetry={retry} />
       </main>
     );
   }

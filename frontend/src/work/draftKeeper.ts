@@ -132,7 +132,10 @@ export class DraftKeeper {
     this.writeQueued = false;
     const { savedRevision, history } = this.editor.getState();
     try {
-      if (this.edits.length === 0 && this.sent === null) return await removeDraft(this.key);
+      if (this.edits.length === 0 && this.sent === null) {
+        await removeDraft(this.key);
+        return;
+      }
       await writeDraft(this.key, {
         format: 1,
         baseRevision: savedRevision,

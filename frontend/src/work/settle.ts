@@ -30,7 +30,7 @@ export function settledEdits(
 
 function editFromTheirs({ kind, id, mine, theirs }: ConflictingElement): Edit | null {
   if (mine === null) return theirs === null ? null : { operation: "delete", kind, id, attributes: {} };
-  const { id: _id, ...wanted } = mine;
+  const wanted = Object.fromEntries(Object.entries(mine).filter(([name]) => name !== "id"));
   if (theirs === null) return { operation: "insert", kind, id, attributes: wanted };
   const attributes: Attributes = {};
   for (const [name, value] of Object.entries(wanted)) {

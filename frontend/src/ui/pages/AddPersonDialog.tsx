@@ -1,5 +1,5 @@
 import { Button, Group, Modal, Select, Stack, TextInput } from "@mantine/core";
-import { type FormEvent, useState } from "react";
+import { type SubmitEvent, useState } from "react";
 import { createAccount } from "../../api/accounts";
 import type { Role } from "../../api/types";
 import { ProblemNotice } from "../parts/ProblemNotice";
@@ -17,7 +17,7 @@ export function AddPersonDialog({ onClose, onAdded }: { onClose: () => void; onA
   const [failure, setFailure] = useState<unknown>(null);
   const nameFault = name === "" || NAME.test(name) ? null : "Letters, digits and . _ @ + - only.";
 
-  const add = (event: FormEvent) => {
+  const add = (event: SubmitEvent) => {
     event.preventDefault();
     setBusy(true);
     setFailure(null);

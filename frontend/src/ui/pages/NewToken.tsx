@@ -1,5 +1,5 @@
 import { Button, Checkbox, Group, NumberInput, TextInput } from "@mantine/core";
-import { type FormEvent, useState } from "react";
+import { type SubmitEvent, useState } from "react";
 import { createToken } from "../../api/tokens";
 import type { TokenCreated } from "../../api/types";
 import { ProblemNotice } from "../parts/ProblemNotice";
@@ -12,7 +12,7 @@ export function NewToken({ onCreated }: { onCreated: (token: TokenCreated) => vo
   const [days, setDays] = useState<number | string>(90);
   const [busy, setBusy] = useState(false);
   const [failure, setFailure] = useState<unknown>(null);
-  const create = (event: FormEvent) => {
+  const create = (event: SubmitEvent) => {
     event.preventDefault();
     setBusy(true);
     setFailure(null);

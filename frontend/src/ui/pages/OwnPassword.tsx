@@ -1,5 +1,5 @@
 import { Button, PasswordInput } from "@mantine/core";
-import { type FormEvent, useState } from "react";
+import { type SubmitEvent, useState } from "react";
 import { changePassword } from "../../api/session";
 import { ProblemNotice } from "../parts/ProblemNotice";
 import { tell } from "../shell/tell";
@@ -11,7 +11,7 @@ export function OwnPassword() {
   const [next, setNext] = useState("");
   const [busy, setBusy] = useState(false);
   const [failure, setFailure] = useState<unknown>(null);
-  const change = (event: FormEvent) => {
+  const change = (event: SubmitEvent) => {
     event.preventDefault();
     setBusy(true);
     setFailure(null);

@@ -1,7 +1,7 @@
 import { Select, TextInput } from "@mantine/core";
 import { useDebouncedCallback } from "@mantine/hooks";
 import { IconSearch } from "@tabler/icons-react";
-import { useEffect, useState } from "react";
+import { useState } from "react";
 import type { Filter } from "./useFilter";
 
 /** The cities of Argoverse 2. */
@@ -11,8 +11,13 @@ const SPLITS = ["train", "val", "test"];
 export function SearchField({ filter, label }: { filter: Filter; label: string }) {
   const asked = filter.value("q");
   const [text, setText] = useState(asked);
+  const [seen, setSeen] = useState(asked);
   const send = useDebouncedCallback((q: string) => filter.set({ q }), 250);
-  useEffect(() => setText(asked), [asked]);
+  // The address changed by other means, e.g. by clearing the filter.
+  if (asked !== seen) {
+    setSeen(asked);
+    setText(asked);
+  }
   return (
     <TextInput
       aria-label={label}

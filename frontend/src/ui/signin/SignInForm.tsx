@@ -1,5 +1,5 @@
 import { Button, PasswordInput, TextInput } from "@mantine/core";
-import { type FormEvent, useState } from "react";
+import { type SubmitEvent, useState } from "react";
 import { signIn } from "../../api/session";
 import type { Session } from "../../api/types";
 import { ProblemNotice } from "../parts/ProblemNotice";
@@ -16,7 +16,7 @@ export function SignInForm({ initialName = "", onSignedIn }: SignInFormPropertie
   const [busy, setBusy] = useState(false);
   const [failure, setFailure] = useState<unknown>(null);
 
-  const submit = async (event: FormEvent) => {
+  const submit = async (event: SubmitEvent) => {
     event.preventDefault();
     setBusy(true);
     setFailure(null);

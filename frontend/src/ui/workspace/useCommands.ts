@@ -11,16 +11,14 @@ import { useFindings } from "./useFindings";
 
 /** What keys, buttons and the map have the workspace do. */
 export interface Commands {
-  save(): void;
+  readonly save: () => void;
   /** Sends a save of an earlier visit again whose answer nobody saw. */
-  saveOnOpen(): void;
-  show(tab: LeftTab): void;
+  readonly saveOnOpen: () => void;
+  readonly show: (tab: LeftTab) => void;
   /** Selects an element and turns the map to it. */
-  visit(key: ElementKey): void;
-  nextIssue(): void;
-  applyFirstFix(): void;
-  applyFix(violation: Violation, fix: number): void;
-  run(command: PageCommand): void;
+  readonly visit: (key: ElementKey) => void;
+  readonly applyFix: (violation: Violation, fix: number) => void;
+  readonly run: (command: PageCommand) => void;
 }
 
 export function useCommands(): Commands {
@@ -52,7 +50,10 @@ export function useCommands(): Commands {
       const selected = editor.getState().selection;
       const at = stops.findIndex(({ kind, id }) => kind === selected?.kind && id === selected.id);
       const next = stops[(at + 1) % Math.max(1, stops.length)];
-      if (next === undefined) return tell(work === null ? "Nothing was changed." : "There is no issue.");
+      if (next === undefined) {
+        tell(work === null ? "Nothing was changed." : "There is no issue.");
+        return;
+      }
       show(work === null ? "changes" : "issues");
       visit({ kind: next.kind, id: next.id });
     };
@@ -75,7 +76,7 @@ export function useCommands(): Commands {
       else if (command.name === "apply_fix") applyFirstFix();
       else stepFrame(command.name === "next_frame" ? 1 : -1);
     };
-    return { save: saveNow, saveOnOpen, show, visit, nextIssue, applyFirstFix, applyFix, run };
+    return { save: saveNow, saveOnOpen, show, visit, applyFix, run };
   }, [value, findings, saveNow, saveOnOpen]);
 }
 
@@ -83,9 +84,9 @@ function saveAndTell(value: WorkspaceValue, me: { id: number; name: string }, on
   const { work, screen } = value;
   if (work === null) return;
   const { findings, stale } = work.store.getState();
-  if (!onOpen && stale !== null && stale.conflicts.length > 0) return screen.setState({ staleShown: true });
-  if (!onOpen && blockingErrors(findings) > 0) return screen.setState({ tab: "issues", leftShown: true });
-  work.save().then((outcome) => tellOutcome(outcome, value, me), tellProblem);
+  if (!onOpen && stale !== null) screen.setState({ staleShown: true });
+  else if (!onOpen && blockingErrors(findings) > 0) screen.setState({ tab: "issues", leftShown: true });
+  else work.save().then((outcome) => tellOutcome(outcome, value, me), tellProblem);
 }
 
 function tellOutcome(
@@ -100,13 +101,16 @@ function tellOutcome(
       screen.setState((state) => withRevision(state, outcome.saved, me));
       const restored = outcome.saved.restored.length;
       const below = restored === 0 ? "" : ` ${counted(restored, "edit")} below 5 cm went back to the base.`;
-      return tell(`Saved as revision ${outcome.saved.revision}.${below}`);
+      tell(`Saved as revision ${outcome.saved.revision}.${below}`);
+      return;
     }
     case "stale":
-      return screen.setState({ staleShown: true });
+      screen.setState({ staleShown: true });
+      return;
     case "violations":
-      return screen.setState({ tab: "issues", leftShown: true });
+      screen.setState({ tab: "issues", leftShown: true });
+      return;
     case "failed":
-      return tellProblem(outcome.problem);
+      tellProblem(outcome.problem);
   }
 }

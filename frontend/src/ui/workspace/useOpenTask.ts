@@ -26,7 +26,8 @@ export function useOpenTask(task: number) {
 
   useEffect(() => {
     const key = { account, task };
-    let gone = false;
+    let over = false;
+    const isOver = () => over;
     let opened: Opened | null = null;
     let release = () => {};
     const end = () => {
@@ -36,30 +37,34 @@ export function useOpenTask(task: number) {
     const open = async () => {
       const lock = await claimTask(`lanewright:${workKey(key)}`, request.takeOver, () => {
         end();
-        if (!gone) setState({ status: "elsewhere" });
+        if (!isOver()) setState({ status: "elsewhere" });
       });
-      if (gone) return lock?.release();
-      if (lock === null) return setState({ status: "elsewhere" });
+      if (isOver()) {
+        lock?.release();
+        return;
+      }
+      if (lock === null) {
+        setState({ status: "elsewhere" });
+        return;
+      }
       release = () => lock.release();
       opened = await openTask(key, request.decision);
-      if (gone) end();
+      if (isOver()) end();
       else setState({ status: "open", opened });
     };
-    setState({ status: "opening" });
     open().catch((error: unknown) => {
       release();
-      if (!gone) setState({ status: "failed", error });
+      if (!isOver()) setState({ status: "failed", error });
     });
     return () => {
-      gone = true;
+      over = true;
       end();
     };
   }, [account, task, request]);
 
-  const again = useCallback(
-    (change: Partial<Omit<Request, "serial">> = {}) =>
-      setRequest(({ serial }) => ({ serial: serial + 1, decision: null, takeOver: false, ...change })),
-    [],
-  );
+  const again = useCallback((change: Partial<Omit<Request, "serial">> = {}) => {
+    setState({ status: "opening" });
+    setRequest(({ serial }) => ({ serial: serial + 1, decision: null, takeOver: false, ...change }));
+  }, []);
   return { state, again };
 }

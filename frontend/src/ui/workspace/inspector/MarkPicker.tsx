@@ -1,5 +1,5 @@
 import { Select } from "@mantine/core";
-import { type Lane, MARKS, type Mark, markOf, markWords, type Side } from "../../../editor";
+import { type Lane, MARKS, markOf, markWords, type Side } from "../../../editor";
 import { MarkPaint } from "../../parts/MarkPaint";
 import { useWorkspace } from "../context";
 import classes from "./inspector.module.css";
@@ -35,11 +35,11 @@ export function MarkPicker({ id, lane, side, editable }: MarkPickerProperties) {
       leftSectionPointerEvents="none"
       renderOption={({ option }) => (
         <span className={classes.mark}>
-          <MarkPaint mark={option.value as Mark} side={side} />
+          <MarkPaint mark={option.value} side={side} />
           {option.label}
         </span>
       )}
-      onChange={(value) => value !== null && editor.actions.setMark(lane.id, side, value as Mark)}
+      onChange={(value) => value !== null && editor.actions.setMark(lane.id, side, value)}
     />
   );
 }

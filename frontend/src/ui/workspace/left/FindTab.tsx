@@ -1,6 +1,6 @@
 import { TextInput } from "@mantine/core";
 import { IconSearch } from "@tabler/icons-react";
-import { type FormEvent, useMemo, useState } from "react";
+import { type SubmitEvent, useMemo, useState } from "react";
 import type { ElementKey, MapDocument } from "../../../editor";
 import { counted, KIND_WORDS } from "../../parts/words";
 import { useEditor } from "../context";
@@ -30,7 +30,7 @@ export function FindTab({ commands }: { commands: Commands }) {
   const base = useEditor((state) => state.base);
   const digits = text.replaceAll(/\D/g, "");
   const found = useMemo(() => findById(current, base, digits), [current, base, digits]);
-  const submit = (event: FormEvent) => {
+  const submit = (event: SubmitEvent) => {
     event.preventDefault();
     const [first] = found;
     if (first !== undefined) commands.visit(first);

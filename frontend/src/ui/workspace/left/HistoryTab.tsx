@@ -8,6 +8,9 @@ import { ParkedDrafts } from "./ParkedDrafts";
 
 type Entry = { at: string; revision: Revision } | { at: string; event: TaskEvent };
 
+const actionWords = (action: string): string =>
+  (ACTION_WORDS as Readonly<Record<string, string>>)[action] ?? action;
+
 /** Saves and steps together, newest first. */
 function timeline(revisions: readonly Revision[], events: readonly TaskEvent[]): Entry[] {
   const entries: Entry[] = [
@@ -81,8 +84,7 @@ function EventEntry({ event }: { event: TaskEvent }) {
   return (
     <li className={classes.event} data-action={event.action}>
       <span>
-        <strong>{event.actor.name}</strong>{" "}
-        {ACTION_WORDS[event.action as keyof typeof ACTION_WORDS] ?? event.action}{" "}
+        <strong>{event.actor.name}</strong> {actionWords(event.action)}{" "}
         <span className="second small">
           revision {event.revision} · {ago(event.at, now)}
         </span>

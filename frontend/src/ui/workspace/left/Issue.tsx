@@ -28,7 +28,6 @@ export function Issue({ violation, commands, editable, first }: IssueProperties)
   const Icon = severity === "error" ? IconCircleX : IconAlertTriangle;
   const hover = (id: number | undefined) => editor.actions.hover(id === undefined ? null : { kind, id });
   return (
-    // biome-ignore lint/a11y/noStaticElementInteractions: the pointer only lights the element up on the map
     <article
       className={classes.issue}
       data-tone={tone}
