@@ -6,14 +6,26 @@ import math
 from collections.abc import Mapping
 
 from lanewright.core.elements import LaneSegment
-from lanewright.core.geometry import centreline, heading, readable_element, turned
+from lanewright.core.geometry import centreline, end_midpoint, heading, readable_element, turned
+
+_RING_M = 1e-6
 
 
 def same_direction(one: LaneSegment, other: LaneSegment) -> bool:
     """Whether two lanes head within 90° of each other; unreadable lanes head nowhere."""
-    if not (readable_element(one) and readable_element(other)):
-        return False
-    return abs(turned(heading(centreline(one)), heading(centreline(other)))) < math.pi / 2
+    headings = lane_heading(one), lane_heading(other)
+    return headings[0] is not None and headings[1] is not None and abs(turned(*headings)) < math.pi / 2
+
+
+def lane_heading(lane: LaneSegment) -> float | None:
+    """Direction from the start to the finish of a lane, radians; of its middle in a ring; None if unreadable."""
+    if len(lane.left_boundary) < 2 or len(lane.right_boundary) < 2:
+        return None
+    (x0, y0, _), (x1, y1, _) = end_midpoint(lane, 0), end_midpoint(lane, 1)
+    dx, dy = x1 - x0, y1 - y0
+    if math.hypot(dx, dy) > _RING_M:
+        return math.atan2(dy, dx)
+    return heading(centreline(lane)) if readable_element(lane) else None
 
 
 def right_of(lanes: Mapping[int, LaneSegment], lane: int) -> int | None:

@@ -104,11 +104,17 @@ def exchanged_lanes(comparison: Comparison) -> list[tuple[int, int]]:
         group = lateral_group(comparison.edited.lanes, lane)
         seen.update(group)
         survivors = [member for member in group if member in comparison.surviving_lanes]
+        if len(survivors) < 2:
+            continue
         rank = {member: index for index, member in enumerate(survivors)}
-        for member in survivors:
-            before = [one for one in lateral_group(comparison.base.lanes, member) if one in rank]
+        left = set(survivors)
+        while left:
+            before = lateral_group(comparison.base.lanes, left.pop())
+            left.difference_update(before)
             found.update(
-                (min(one, other), max(one, other)) for one, other in combinations(before, 2) if rank[one] > rank[other]
+                (min(one, other), max(one, other))
+                for one, other in combinations([member for member in before if member in rank], 2)
+                if rank[one] > rank[other]
             )
     return sorted(found)
 
