@@ -1,5 +1,4 @@
-import { useQueryClient } from "@tanstack/react-query";
-import { useEffect, useRef, useState } from "react";
+import { useEffect, useState } from "react";
 import { useStore } from "zustand";
 import { loadSession } from "../api/session";
 import { sessionStore } from "../api/sessionStore";
@@ -13,10 +12,7 @@ import { SessionContext } from "./useSession";
 
 export function App() {
   const session = useStore(sessionStore, (state) => state.session);
-  const queryClient = useQueryClient();
   const [failure, setFailure] = useState<unknown>(null);
-  const account = session?.account.id;
-  const shown = useRef(account);
 
   useEffect(() => {
     loadSession().catch(setFailure);
@@ -25,12 +21,6 @@ export function App() {
     setFailure(null);
     loadSession().catch(setFailure);
   };
-
-  // What was loaded for one account is not shown to the next.
-  useEffect(() => {
-    if (shown.current !== account) queryClient.clear();
-    shown.current = account;
-  }, [account, queryClient]);
 
   if (failure !== null) {
     return (
