@@ -58,7 +58,7 @@ function dragFigures(element: MapElement, { vertex }: Selection): string[] {
   if (element.kind === "lane_segment" && vertex && isSide(vertex.side) && point) {
     return [
       `${metres(widthAt(element.attributes, vertex.side, point))} wide here`,
-      metres(laneLength(element.attributes), 1),
+      `${metres(laneLength(element.attributes), 1)} long`,
     ];
   }
   const { length, width } = measuresOf(element);

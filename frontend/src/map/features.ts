@@ -82,6 +82,7 @@ function arrowFeatures(lane: Lane, prefix: string, group: Group, projection: Pro
         fid: `${prefix}:arrow:${i}`,
         group,
         icon: lane.lane_type,
+        junction: lane.is_intersection,
         bearing: bearing(before, after, projection),
       },
       geometry: { type: "Point" as const, coordinates: projection.toLngLat(here) },

@@ -170,7 +170,8 @@ function arrowLayer(group: Group): LayerSpecification {
     type: "symbol",
     source: "arrows",
     minzoom: 15.5,
-    filter: ["==", ["get", "group"], group],
+    // Junctions get theirs only when there is room for them.
+    filter: ["all", ["==", ["get", "group"], group], ["any", ["!", ["get", "junction"]], [">=", ["zoom"], 18.5]]],
     layout: {
       "icon-image": ["concat", "arrow-", ["get", "icon"]],
       "icon-rotate": ["get", "bearing"],
