@@ -9,7 +9,7 @@ from lanewright.db.repositories import elements, revisions
 from lanewright.db.repositories.elements import Departure, StoredMap
 from lanewright.services.recently_used import RecentlyUsed
 
-_BASE_MAPS: RecentlyUsed[StoredMap] = RecentlyUsed(most=64)
+BASE_MAPS: RecentlyUsed[StoredMap] = RecentlyUsed(most=64)
 """By content hash; some 2 MB each for the largest real maps."""
 
 
@@ -23,10 +23,10 @@ def base_map_with_hash(session: Session, line_id: int) -> tuple[bytes, StoredMap
     sha256 = revisions.content_sha256(session, line_id, 0)
     if sha256 is None:
         raise NotFound("This task has no base map.", mend="Import its log again.", code="revision.not_found")
-    known = _BASE_MAPS.get(sha256)
+    known = BASE_MAPS.get(sha256)
     if known is None:
         known = elements.load(session, line_id, 0)
-        _BASE_MAPS.put(sha256, known)
+        BASE_MAPS.put(sha256, known)
     return sha256, known
 
 

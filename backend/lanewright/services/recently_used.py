@@ -30,3 +30,8 @@ class RecentlyUsed(Generic[Value]):
             self._values[sha256] = value
             while len(self._values) > self._most:
                 del self._values[next(iter(self._values))]
+
+    def clear(self) -> None:
+        """Forgets everything."""
+        with self._lock:
+            self._values.clear()

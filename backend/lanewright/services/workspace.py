@@ -20,7 +20,7 @@ from lanewright.services.findings import Findings
 from lanewright.services.importing import DRIVABLE_AREAS, LIDAR_IMAGE
 from lanewright.services.recently_used import RecentlyUsed
 
-_BASE_DOCUMENTS: RecentlyUsed[bytes] = RecentlyUsed(most=64)
+BASE_DOCUMENTS: RecentlyUsed[bytes] = RecentlyUsed(most=64)
 """JSON of whole base maps by their content hash: it never changes, and is most of what opening a task sends."""
 
 
@@ -78,10 +78,10 @@ def findings_at(session: Session, actor: Actor, task_id: int, revision: int) -> 
 
 
 def _base_document(sha256: bytes, base: StoredMap) -> bytes:
-    known = _BASE_DOCUMENTS.get(sha256)
+    known = BASE_DOCUMENTS.get(sha256)
     if known is None:
         known = orjson.dumps(map_document(base.state, base.versions))
-        _BASE_DOCUMENTS.put(sha256, known)
+        BASE_DOCUMENTS.put(sha256, known)
     return known
 
 
