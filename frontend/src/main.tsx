@@ -7,12 +7,10 @@ import "./theme/mantine.css";
 import "./theme/base.css";
 import { MantineProvider } from "@mantine/core";
 import { Notifications } from "@mantine/notifications";
-import { QueryClientProvider } from "@tanstack/react-query";
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { theme } from "./theme/theme";
 import { App } from "./ui/App";
-import { queries } from "./ui/queries";
 
 const root = document.getElementById("root");
 if (root === null) throw new Error("index.html has no #root");
@@ -24,10 +22,8 @@ createRoot(root).render(
       withCssVariables={false}
       withGlobalClasses={false}
     >
-      <QueryClientProvider client={queries}>
-        <Notifications position="bottom-center" />
-        <App />
-      </QueryClientProvider>
+      <Notifications position="bottom-center" />
+      <App />
     </MantineProvider>
   </StrictMode>,
 );

@@ -5,6 +5,7 @@ import { sessionStore } from "../api/sessionStore";
 import { ErrorBoundary } from "./ErrorBoundary";
 import { Loading } from "./parts/Loading";
 import { ProblemNotice } from "./parts/ProblemNotice";
+import { Queries } from "./Queries";
 import { Routes } from "./Routes";
 import { SignInDialog } from "./signin/SignInDialog";
 import { SignInPage } from "./signin/SignInPage";
@@ -34,7 +35,9 @@ export function App() {
   return (
     <SessionContext value={session}>
       <ErrorBoundary>
-        <Routes key={session.account.id} />
+        <Queries key={session.account.id}>
+          <Routes />
+        </Queries>
       </ErrorBoundary>
       <SignInDialog name={session.account.name} />
     </SessionContext>
