@@ -7,13 +7,14 @@ depends on the ids the edited map happens to have.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
+from itertools import count
 from typing import Any
 
 from lanewright.core.alignment import Alignment
 from lanewright.core.comparison import Comparison, crossing_key, lane_key
 from lanewright.core.cuts import marked_as_parts
-from lanewright.core.elements import ElementKey, LaneSegment, Line, MapState, PedestrianCrossing
+from lanewright.core.elements import ElementKey, ElementKind, LaneSegment, Line, MapState, PedestrianCrossing
 from lanewright.core.identity import fresh_id, renamed, with_lanes_exchanged
 from lanewright.core.matching import same_crossings, same_lanes
 
@@ -26,10 +27,20 @@ class Assignment:
         edited: the edited map under tokens; re-cut as matches of whole runs ask for it.
         lanes, crossings: token -> base id, for what is matched.
         own_lane_ids, own_crossing_ids: token -> id in the edited map as it came.
+        scope: the elements (of either map) to be looked at anew; None: all.
+        parts: token -> base lane that is cut, for the parts of it.
         banned: pairs of token and base id that the rules forbid.
     """
 
-    def __init__(self, base: MapState, edited: MapState, own_lanes: dict[int, int], own_crossings: dict[int, int]):
+    def __init__(
+        self,
+        base: MapState,
+        edited: MapState,
+        own_lanes: dict[int, int],
+        own_crossings: dict[int, int],
+        first_free: int,
+        scope: Collection[ElementKey] | None,
+    ):
         self.base = base
         self.edited = edited
         self.own_lane_ids = own_lanes
@@ -38,32 +49,32 @@ class Assignment:
         self.crossings: dict[int, int] = {}
         self.banned: set[tuple[int, int]] = set()
         self.parts: dict[int, int] = {}
-        self._next = max([*own_lanes, *own_crossings], default=0) + 1
+        self.scope = scope
+        self._next = first_free
 
     @classmethod
     def start(cls, base: MapState, edited: MapState, scope: Collection[ElementKey] | None) -> Assignment:
         """Everything outside the scope matched by its id, what has the same lines matched by those."""
-        first = fresh_id((base, edited))
-        order = sorted(edited.lanes.values(), key=_position)
-        own_lanes = {first + index: lane.id for index, lane in enumerate(order)}
-        first += len(order)
-        crossings = sorted(edited.crossings.values(), key=_crossing_position)
-        own_crossings = {first + index: crossing.id for index, crossing in enumerate(crossings)}
-        tokens = renamed(
-            edited,
-            {own: token for token, own in own_lanes.items()},
-            {own: token for token, own in own_crossings.items()},
+        lanes = [lane for lane in edited.lanes.values() if scope is None or lane_key(lane.id) in scope]
+        crossings = [one for one in edited.crossings.values() if scope is None or crossing_key(one.id) in scope]
+        tokens = count(fresh_id((base, edited)))
+        own_lanes = {next(tokens): lane.id for lane in sorted(lanes, key=_position)}
+        own_crossings = {next(tokens): crossing.id for crossing in sorted(crossings, key=_crossing_position)}
+        lane_tokens = {own: token for token, own in own_lanes.items()}
+        crossing_tokens = {own: token for token, own in own_crossings.items()}
+        # What is out of the scope goes by its own id, as its token and as its match.
+        outside = {key: key for key in edited.lanes if key not in lane_tokens}
+        outside_crossings = {key: key for key in edited.crossings if key not in crossing_tokens}
+        assignment = cls(
+            base,
+            renamed(edited, lane_tokens, crossing_tokens),
+            outside | own_lanes,
+            outside_crossings | own_crossings,
+            next(tokens),
+            scope,
         )
-        assignment = cls(base, tokens, own_lanes, own_crossings)
-        if scope is not None:
-            assignment.lanes = {
-                token: own for token, own in own_lanes.items() if own in base.lanes and lane_key(own) not in scope
-            }
-            assignment.crossings = {
-                token: own
-                for token, own in own_crossings.items()
-                if own in base.crossings and crossing_key(own) not in scope
-            }
+        assignment.lanes = {key: key for key in outside if key in base.lanes}
+        assignment.crossings = {key: key for key in outside_crossings if key in base.crossings}
         assignment.lanes |= same_lanes(*assignment.unmatched_lanes())
         assignment.crossings |= same_crossings(*assignment.unmatched_crossings())
         return assignment
@@ -72,21 +83,33 @@ class Assignment:
         """Base lanes and edited lanes that have no counterpart yet."""
         known = set(self.lanes.values())
         return (
-            {key: lane for key, lane in self.base.lanes.items() if key not in known},
-            {key: lane for key, lane in self.edited.lanes.items() if key not in self.lanes},
+            {key: lane for key, lane in self.base.lanes.items() if key not in known and self._in_scope(lane_key(key))},
+            {
+                key: lane
+                for key, lane in self.edited.lanes.items()
+                if key not in self.lanes and self._in_scope(lane_key(key))
+            },
         )
 
     def unmatched_crossings(self) -> tuple[dict[int, PedestrianCrossing], dict[int, PedestrianCrossing]]:
         """Base crossings and edited crossings that have no counterpart yet."""
         known = set(self.crossings.values())
         return (
-            {key: crossing for key, crossing in self.base.crossings.items() if key not in known},
-            {key: crossing for key, crossing in self.edited.crossings.items() if key not in self.crossings},
+            {
+                key: crossing
+                for key, crossing in self.base.crossings.items()
+                if key not in known and self._in_scope(crossing_key(key))
+            },
+            {
+                key: crossing
+                for key, crossing in self.edited.crossings.items()
+                if key not in self.crossings and self._in_scope(crossing_key(key))
+            },
         )
 
     def comparison(self) -> Comparison:
         """Base and edited map under the present matches; what is unmatched goes by its token."""
-        named = renamed(self.edited, self.lanes, self.crossings)
+        named = renamed(self.edited, other_than_itself(self.lanes), other_than_itself(self.crossings))
         return Comparison(self.base, self.with_parts_named(named, {}))
 
     def with_parts_named(self, state: MapState, ids: dict[int, int]) -> MapState:
@@ -99,6 +122,23 @@ class Assignment:
     def tokens(self) -> dict[int, int]:
         """Base id -> token, for matched lanes."""
         return {matched: token for token, matched in self.lanes.items()}
+
+    def is_free(self, lanes: Iterable[int]) -> bool:
+        """Whether lanes, as the comparison names them (base id or token), are all to be looked at anew."""
+        if self.scope is None:
+            return True
+        tokens = self.tokens
+        return all(tokens[lane] != lane if lane in tokens else self._in_scope(lane_key(lane)) for lane in lanes)
+
+    def is_free_crossing(self, crossing: int) -> bool:
+        """Whether an unmatched crossing, of the base or under its token, is to be looked at anew."""
+        return self._in_scope(crossing_key(crossing))
+
+    def _in_scope(self, key: ElementKey) -> bool:
+        if self.scope is None:
+            return True
+        own = self.own_lane_ids if key.kind is ElementKind.LANE_SEGMENT else self.own_crossing_ids
+        return ElementKey(key.kind, own.get(key.id, key.id)) in self.scope
 
     def match_run(self, deleted: Sequence[int], inserted: Sequence[int], alignment: Alignment) -> None:
         """Let a run of the edited map be the base lanes it is aligned with, re-cut if the alignment says so."""
@@ -119,6 +159,11 @@ class Assignment:
     def _fresh_token(self) -> int:
         self._next += 1
         return self._next - 1
+
+
+def other_than_itself(ids: dict[int, int]) -> dict[int, int]:
+    """The renamings that do something."""
+    return {token: key for token, key in ids.items() if token != key}
 
 
 def _under(lane: LaneSegment, token: int) -> LaneSegment:

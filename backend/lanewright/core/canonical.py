@@ -12,7 +12,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import count
 
-from lanewright.core.assignment import Assignment
+from lanewright.core.assignment import Assignment, other_than_itself
 from lanewright.core.elements import ElementKey, ElementKind, MapState
 from lanewright.core.identity import fresh_id, renamed
 from lanewright.core.settlement import settle
@@ -56,7 +56,7 @@ def _named(assignment: Assignment, original: MapState) -> Canonical:
     fresh = count(fresh_id((assignment.base, original)))
     lanes = _final_ids(assignment.edited.lanes, assignment.lanes, assignment.own_lane_ids, taken, fresh)
     crossings = _final_ids(assignment.edited.crossings, assignment.crossings, assignment.own_crossing_ids, taken, fresh)
-    final = assignment.with_parts_named(renamed(assignment.edited, lanes, crossings), lanes)
+    final = assignment.with_parts_named(renamed(assignment.edited, *map(other_than_itself, (lanes, crossings))), lanes)
     return Canonical(
         _with_known_objects(final, original),
         dict(_renames(assignment, lanes, crossings)),

@@ -14,7 +14,9 @@ def renamed(state: MapState, lanes: Mapping[int, int], crossings: Mapping[int, i
 
     Unrelated elements stay the same objects.
     """
-    renamed_lanes = [_renamed_lane(lane, lanes) for lane in state.lanes.values()]
+    if not lanes and not crossings:
+        return state
+    renamed_lanes = [_renamed_lane(lane, lanes) for lane in state.lanes.values()] if lanes else state.lanes.values()
     renamed_crossings = [
         dataclasses.replace(crossing, id=crossings[crossing.id]) if crossings and crossing.id in crossings else crossing
         for crossing in state.crossings.values()
@@ -25,11 +27,12 @@ def renamed(state: MapState, lanes: Mapping[int, int], crossings: Mapping[int, i
 
 def _renamed_lane(lane: LaneSegment, ids: Mapping[int, int]) -> LaneSegment:
     changed: dict[str, Any] = {}
+    names = ids.keys()
     if lane.id in ids:
         changed["id"] = ids[lane.id]
     for name in ("successors", "predecessors"):
         links: tuple[int, ...] = getattr(lane, name)
-        if any(other in ids for other in links):
+        if not names.isdisjoint(links):
             changed[name] = tuple(dict.fromkeys(ids.get(other, other) for other in links))
     for name in ("left_neighbor_id", "right_neighbor_id"):
         other = getattr(lane, name)

@@ -13,8 +13,8 @@ _RING_M = 1e-6
 
 def same_direction(one: LaneSegment, other: LaneSegment) -> bool:
     """Whether two lanes head within 90° of each other; unreadable lanes head nowhere."""
-    headings = lane_heading(one), lane_heading(other)
-    return headings[0] is not None and headings[1] is not None and abs(turned(*headings)) < math.pi / 2
+    here, there = lane_heading(one), lane_heading(other)
+    return here is not None and there is not None and abs(turned(here, there)) < math.pi / 2
 
 
 def lane_heading(lane: LaneSegment) -> float | None:

@@ -37,26 +37,28 @@ def settle(assignment: Assignment) -> None:
 
 def _part_displaced(assignment: Assignment, comparison: Comparison) -> bool:
     """Lanes and crossings that are matched too far away are parted."""
-    lanes = list(displaced_lanes(comparison))
-    crossings = list(displaced_crossings(comparison))
-    _part(assignment, lanes)
-    tokens = {matched: token for token, matched in assignment.crossings.items()}
-    for crossing in crossings:
-        assignment.banned.add((tokens[crossing], crossing))
-        del assignment.crossings[tokens[crossing]]
-    return bool(lanes or crossings)
+    parted = _part(assignment, displaced_lanes(comparison))
+    tokens = {matched: token for token, matched in assignment.crossings.items() if token != matched}
+    for crossing in displaced_crossings(comparison):
+        if crossing in tokens:
+            assignment.banned.add((tokens[crossing], crossing))
+            del assignment.crossings[tokens[crossing]]
+            parted = True
+    return parted
 
 
 def _part_rerouted(assignment: Assignment, comparison: Comparison) -> bool:
     """The fewest lanes whose removal makes the survivors' vertices agree are parted."""
     links = rerouted_links(comparison)
-    if links:
-        _part(assignment, fewest_replaced(comparison, links))
-    return bool(links)
+    free = {lane for link in links for lane in link if assignment.is_free([lane])}
+    links = [link for link in links if not free.isdisjoint(link)]
+    return bool(links) and _part(assignment, fewest_replaced(comparison, links, free))
 
 
-def _part(assignment: Assignment, lanes: Iterable[int]) -> None:
+def _part(assignment: Assignment, lanes: Iterable[int]) -> bool:
+    """Take matches back and forbid them; whether there were any."""
     tokens = assignment.tokens
+    parted = False
     for lane in lanes:
         if lane in assignment.parts:
             whole = assignment.parts[lane]
@@ -64,19 +66,20 @@ def _part(assignment: Assignment, lanes: Iterable[int]) -> None:
             assignment.banned.update((token, whole) for token in siblings)
             for token in siblings:
                 del assignment.parts[token]
-            continue
-        if lane not in tokens:
-            continue
-        assignment.banned.add((tokens[lane], lane))
-        del assignment.lanes[tokens[lane]]
+            parted = True
+        elif lane in tokens and tokens[lane] != lane:
+            assignment.banned.add((tokens[lane], lane))
+            del assignment.lanes[tokens[lane]]
+            parted = True
+    return parted
 
 
-def fewest_replaced(comparison: Comparison, links: Collection[tuple[int, int]]) -> tuple[int, ...]:
-    """The fewest lanes that touch all re-routed links; among equals the one inside the intersection, then the one that
-    moved most, then the downstream one (spec §5)."""
-    candidates = sorted(
-        {lane for link in links for lane in link}, key=lambda lane: _preference(comparison, links, lane)
-    )
+def fewest_replaced(
+    comparison: Comparison, links: Collection[tuple[int, int]], free: Collection[int]
+) -> tuple[int, ...]:
+    """The fewest of the free lanes that touch all re-routed links; among equals the one inside the intersection, then
+    the one that moved most, then the downstream one (spec §5)."""
+    candidates = sorted(free, key=lambda lane: _preference(comparison, links, lane))
     if len(candidates) <= _FEW:
         for count in range(1, len(candidates) + 1):
             for chosen in combinations(candidates, count):
@@ -85,7 +88,7 @@ def fewest_replaced(comparison: Comparison, links: Collection[tuple[int, int]]) 
     chosen_lanes: list[int] = []
     left = list(links)
     while left:
-        weight = Counter(lane for link in left for lane in set(link))
+        weight = Counter(lane for link in left for lane in set(link) if lane in free)
         best = min(weight, key=lambda lane: (-weight[lane], *_preference(comparison, links, lane)))
         chosen_lanes.append(best)
         left = [link for link in left if best not in link]
@@ -106,6 +109,8 @@ def _preference(comparison: Comparison, links: Collection[tuple[int, int]], lane
 def _uncross(assignment: Assignment, comparison: Comparison) -> bool:
     """Lanes side by side whose order was reversed exchange what they stand for."""
     for one, other in exchanged_lanes(comparison):
+        if not assignment.is_free([one, other]) or one in assignment.parts or other in assignment.parts:
+            continue
         tokens = assignment.tokens
         assignment.lanes[tokens[one]], assignment.lanes[tokens[other]] = other, one
         return True
@@ -132,7 +137,7 @@ def _best(
     for deleted, inserted in pairs:
         if any((now, was) in assignment.banned for was in deleted for now in inserted):
             continue
-        if any(token in assignment.parts for token in inserted):
+        if any(token in assignment.parts for token in inserted) or not assignment.is_free([*deleted, *inserted]):
             continue
         was = [comparison.base.lanes[lane] for lane in deleted]
         now = [assignment.edited.lanes[token] for token in inserted]
@@ -152,7 +157,11 @@ def _best(
 
 def _match_crossings(assignment: Assignment, comparison: Comparison) -> bool:
     """The pair of a deleted and an inserted crossing that overlap most become one."""
-    pairs = [pair for pair in unjustified_crossings(comparison) if pair[::-1] not in assignment.banned]
+    pairs = [
+        pair
+        for pair in unjustified_crossings(comparison)
+        if pair[::-1] not in assignment.banned and all(map(assignment.is_free_crossing, pair))
+    ]
     if not pairs:
         return False
     was, now = min(pairs, key=lambda pair: (-_crossing_overlap(comparison, pair), pair))
@@ -170,12 +179,16 @@ def _crossing_overlap(comparison: Comparison, pair: tuple[int, int]) -> float:
 def _keep_right(assignment: Assignment, comparison: Comparison) -> bool:
     """An insertion that could as well be the lane on its right is; likewise a deletion."""
     for chain, survivors in ambiguous_insertions(comparison):
+        if not assignment.is_free([*chain, *survivors]) or not assignment.parts.keys().isdisjoint(survivors):
+            continue
         tokens = assignment.tokens
         for inserted, survivor in zip(chain, survivors, strict=True):
             assignment.lanes[inserted] = survivor
             del assignment.lanes[tokens[survivor]]
         return True
     for chain, survivors in ambiguous_insertions(comparison.inverse):
+        if not assignment.is_free([*chain, *survivors]) or not assignment.parts.keys().isdisjoint(survivors):
+            continue
         tokens = assignment.tokens
         for deleted, survivor in zip(chain, survivors, strict=True):
             assignment.lanes[tokens[survivor]] = deleted

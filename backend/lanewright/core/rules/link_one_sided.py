@@ -6,7 +6,7 @@ import dataclasses
 from collections.abc import Iterator
 
 from lanewright.core.comparison import Comparison
-from lanewright.core.elements import ElementKind, MapState
+from lanewright.core.elements import ElementKind, LaneSegment, MapState
 from lanewright.core.roadgraph import Link
 from lanewright.core.rules.rule import Remedy, Rule
 from lanewright.core.violations import Severity, Violation
@@ -46,19 +46,25 @@ def one_sided_links(state: MapState) -> Iterator[Link]:
                 yield other, key
 
 
-def remedies(comparison: Comparison, violation: Violation) -> Iterator[Remedy]:
-    """Write the link on the other side too."""
-    chosen = set(violation.elements)
-    lanes = dict(comparison.edited.lanes)
-    for upstream, downstream in one_sided_links(comparison.edited):
-        if {upstream, downstream} == chosen:
-            before, after = lanes[upstream], lanes[downstream]
-            if downstream not in before.successors:
-                lanes[upstream] = dataclasses.replace(before, successors=(*before.successors, downstream))
-            after = lanes[downstream]
-            if upstream not in after.predecessors:
-                lanes[downstream] = dataclasses.replace(after, predecessors=(*after.predecessors, upstream))
-    yield Remedy("Write the link on both sides", comparison.edited.replaced([lanes[key] for key in chosen]))
+def with_links_completed(base: MapState, edited: MapState) -> MapState:
+    """The edited map with every link written on both sides, if the base writes them so."""
+    halves = list(one_sided_links(edited))
+    if not halves or next(one_sided_links(base), None) is not None:
+        return edited
+    lanes: dict[int, LaneSegment] = {}
+    for upstream, downstream in halves:
+        before = lanes.get(upstream, edited.lanes[upstream])
+        if downstream not in before.successors:
+            lanes[upstream] = dataclasses.replace(before, successors=(*before.successors, downstream))
+        after = lanes.get(downstream, edited.lanes[downstream])
+        if upstream not in after.predecessors:
+            lanes[downstream] = dataclasses.replace(after, predecessors=(*after.predecessors, upstream))
+    return edited.replaced(lanes.values())
+
+
+def remedies(comparison: Comparison, _violation: Violation) -> Iterator[Remedy]:
+    """Write all such links on the other side too."""
+    yield Remedy("Write the link on both sides", with_links_completed(comparison.base, comparison.edited))
 
 
 RULE = Rule(

@@ -9,6 +9,7 @@ from lanewright.core.canonical import Canonical, canonical_form
 from lanewright.core.comparison import Comparison
 from lanewright.core.elements import ElementKey, ElementKind
 from lanewright.core.macros import update_groups
+from lanewright.core.rules.link_one_sided import with_links_completed
 from lanewright.core.rules.rule import Remedy
 from lanewright.core.violations import Violation
 from lanewright.core.wording import listed
@@ -36,7 +37,8 @@ def _canonical_remedy(comparison: Comparison, group: Group) -> Remedy:
     known = _remembered.setdefault(comparison, {})
     if group not in known:
         canonical = canonical_form(comparison.base, comparison.edited, group)
-        known[group] = Remedy(title_of(canonical), canonical.edited)
+        edited = with_links_completed(comparison.base, canonical.edited)
+        known[group] = Remedy(title_of(canonical), edited)
     return known[group]
 
 
