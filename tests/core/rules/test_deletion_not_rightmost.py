@@ -1,0 +1,29 @@
+"""The right-hand-side rule for lanes that go."""
+
+from __future__ import annotations
+
+from findings import introduced, mended, only
+from worlds import scenario
+
+from lanewright.core.diff import diff
+
+CODE = "deletion.not_rightmost"
+
+
+def test_clean_the_right_lane_goes():
+    #  ┆ 1 ┆ 2 ┆   =>   ┆  1  ┆
+    case = scenario("lane_removed_right")
+    assert introduced(case.base, case.edited) == []
+
+
+def test_broken_the_left_lane_goes_and_the_right_one_takes_its_room():
+    #  ┆ 1 ┆ 2 ┆   =>   ┆  2  ┆
+    case, right = scenario("lane_removed_left"), scenario("lane_removed_right")
+    assert only(case.base, case.edited, CODE).elements == (1,)
+    after = mended(case.base, case.edited, CODE)
+    assert diff(case.base, after).changes == diff(right.base, right.edited).changes
+
+
+def test_edge_the_rule_is_the_insertion_rule_of_the_inverse_update():
+    case = scenario("lane_added_left")
+    assert introduced(case.edited, case.base) == [(CODE, (9,))]
