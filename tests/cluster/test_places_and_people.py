@@ -56,10 +56,12 @@ def test_root_below_a_closed_folder_where_user_namespaces_are_forbidden(home, ma
     monkeypatch.setattr(Account, "reaches", lambda self, folder: self.namespace is None and reaches(self, folder))
     home.mkdir(mode=0o700)
     cluster = make_cluster(home / ".lanewright", new=True)
+    made_before = PrivateCluster(home / ".lanewright")
     try:
         ask(cluster.up(), "CREATE TABLE kept AS SELECT 42 AS answer")
         assert cluster.folder.parent == Path("/var/lib/lanewright")
         assert ask(PrivateCluster(home / ".lanewright").up(), "SELECT answer FROM kept") == 42
+        assert made_before.status().pid == cluster.status().pid
     finally:
         cluster.down()
         shutil.rmtree(cluster.folder)

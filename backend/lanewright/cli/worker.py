@@ -40,5 +40,6 @@ def worker(
 
 
 def _end_with_stdin() -> None:
-    sys.stdin.buffer.read()
+    while os.read(sys.stdin.fileno(), 1):  # unbuffered: a buffer's lock would stand in the way of an ordinary end
+        pass
     os.kill(os.getpid(), signal.SIGTERM)

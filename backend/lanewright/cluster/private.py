@@ -51,7 +51,11 @@ class PrivateCluster:
         # Where root has no account that reaches the folder and no user namespaces, the files move here.
         name = hashlib.sha256(os.fsencode(self.home)).hexdigest()[:16]
         self._refuge = Path("/var/lib/lanewright") / name
-        self.folder = self._refuge if (self._refuge / "data" / "PG_VERSION").exists() else self.home / "cluster"
+
+    @property
+    def folder(self) -> Path:
+        """Asked for each time: another process may be the one that moves the files to the refuge."""
+        return self._refuge if self._refuge.is_dir() else self.home / "cluster"
 
     @property
     def data(self) -> Path:
@@ -177,10 +181,9 @@ class PrivateCluster:
         self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         account = choose_account(self.folder)
         if account is None:  # root, a folder closed to others, no user namespaces
-            self.folder = self._refuge
-            self.folder.mkdir(mode=0o711, parents=True, exist_ok=True)
-            self.folder.parent.chmod(0o711)
-            account = choose_account(self.folder)
+            self._refuge.mkdir(mode=0o700, parents=True, exist_ok=True)
+            self._refuge.parent.chmod(0o711)
+            account = choose_account(self._refuge)
         if account is None:
             raise ClusterError(
                 "PostgreSQL refuses to run as root, and no account called postgres or nobody can stand in.",
