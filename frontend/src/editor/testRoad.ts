@@ -207,3 +207,8 @@ export function at(lineOfPlaces: readonly Place[], index: number): [number, numb
   if (place === undefined) throw new RangeError(`no vertex ${index}`);
   return [place.x, place.y];
 }
+
+/** Why an action was refused; empty when it was not. */
+export function reasonOf(outcome: { readonly ok: boolean; readonly reason?: string }): string {
+  return outcome.reason ?? "";
+}
