@@ -54,10 +54,13 @@ export function counted(count: number, noun: string, plural = `${noun}s`): strin
   return `${count} ${count === 1 ? noun : plural}`;
 }
 
-/** A UUID by its first block; other long names by both ends. */
+const LONGEST_LOG_NAME = 22;
+
+/** A UUID by its first block; other names without TbV's season, and cut where they are long. */
 export function shortLogName(logId: string): string {
   if (/^[0-9a-f]{8}-[0-9a-f]{4}-/i.test(logId)) return logId.slice(0, 8);
-  return logId.length <= 22 ? logId : `${logId.slice(0, 10)}…${logId.slice(-10)}`;
+  const [name = logId] = logId.split("__");
+  return name.length <= LONGEST_LOG_NAME ? name : `${name.slice(0, LONGEST_LOG_NAME - 2)}…`;
 }
 
 const MINUTE = 60;

@@ -5,7 +5,6 @@ import { getDrive } from "../../api/workspace";
 import { type KeyText, keyText } from "../../editor";
 import { type MapMarker, MapView, type MapViewMode } from "../../map";
 import { useScreen, useWorkspace } from "./context";
-import { Legend } from "./Legend";
 import { MapControls } from "./MapControls";
 import { MapUnavailable } from "./MapUnavailable";
 import { NewerDraft } from "./NewerDraft";
@@ -76,7 +75,6 @@ export function MapArea({ commands }: { commands: Commands }) {
         <MapUnavailable reason={unavailable} onRetry={() => setUnavailable(null)} />
       )}
       <MapControls />
-      <Legend />
       <NewerDraft />
     </main>
   );

@@ -1,5 +1,5 @@
 import { Tooltip } from "@mantine/core";
-import { IconFocusCentered, IconPointer } from "@tabler/icons-react";
+import { IconPointer } from "@tabler/icons-react";
 import type { ComponentType } from "react";
 import { KEY_TABLE, type KeyCommand, type Tool } from "../../editor";
 import { useEditor, useWorkspace } from "./context";
@@ -29,7 +29,6 @@ function bindingOf(command: KeyCommand): { label: string; words: string } {
 export function ToolRail() {
   const { editor, map, work } = useWorkspace();
   const current = useEditor((state) => state.tool);
-  const fit = bindingOf("fit_log");
   return (
     <div className={classes.rail} role="toolbar" aria-label="Tools" aria-orientation="vertical">
       {TOOLS.map(({ tool, command, icon: Icon }) => {
@@ -56,20 +55,6 @@ export function ToolRail() {
           </Tooltip>
         );
       })}
-      <Tooltip label={`${fit.words} (${fit.label})`} position="right">
-        <button
-          type="button"
-          className={classes.tool}
-          aria-label={fit.words}
-          aria-keyshortcuts={fit.label}
-          onClick={() => map.current?.fitLog()}
-        >
-          <IconFocusCentered size={19} />
-          <span className={classes.toolKey} aria-hidden="true">
-            {fit.label}
-          </span>
-        </button>
-      </Tooltip>
     </div>
   );
 }
