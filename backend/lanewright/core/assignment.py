@@ -17,6 +17,7 @@ from lanewright.core.cuts import marked_as_parts
 from lanewright.core.elements import ElementKey, ElementKind, LaneSegment, Line, MapState, PedestrianCrossing
 from lanewright.core.identity import fresh_id, renamed, with_lanes_exchanged
 from lanewright.core.matching import same_crossings, same_lanes
+from lanewright.core.series import Run
 
 
 class Assignment:
@@ -155,6 +156,11 @@ class Assignment:
             else:
                 self.lanes[token] = piece.base
         self.edited = with_lanes_exchanged(self.edited, inserted, pieces)
+
+    def join(self, one: int, other: int) -> None:
+        """Let two unmatched lanes in series be one, under the first one's token."""
+        whole = Run.of([self.edited.lanes[one], self.edited.lanes[other]]).pieces([])[0]
+        self.edited = with_lanes_exchanged(self.edited, [one, other], [_under(whole, one)])
 
     def _fresh_token(self) -> int:
         self._next += 1

@@ -30,6 +30,7 @@ class Comparison:
         self.base, self.edited = cut_alike(base, edited)
         self.claims = claims
         self._moved: dict[int, tuple[bool, bool]] = {}
+        self._moved_crossings: dict[int, bool] = {}
         self._polygons: dict[tuple[bool, ElementKey], Shape] = {}
         self._functions: dict[tuple[bool, int], TurnFunction | None] = {}
 
@@ -114,8 +115,10 @@ class Comparison:
 
     def crossing_moved(self, crossing: int) -> bool:
         """Whether an edge of a surviving crossing moved, edges assigned to each other at their best."""
-        was, now = self.base.crossings[crossing], self.edited.crossings[crossing]
-        return best_edge_distance_m(was, now) > geometry.MOVED_M
+        if crossing not in self._moved_crossings:
+            was, now = self.base.crossings[crossing], self.edited.crossings[crossing]
+            self._moved_crossings[crossing] = best_edge_distance_m(was, now) > geometry.MOVED_M
+        return self._moved_crossings[crossing]
 
     @cached_property
     def changed_links(self) -> tuple[tuple[Link, bool], ...]:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Iterable
-from itertools import combinations
+from itertools import combinations, pairwise
 
 from lanewright.core.alignment import Alignment, align, displacement_m
 from lanewright.core.assignment import Assignment
 from lanewright.core.comparison import Comparison, crossing_key
+from lanewright.core.elements import LaneSegment, MapState
 from lanewright.core.geometry import overlap, readable_element
+from lanewright.core.identity import joinable
 from lanewright.core.places import (
     coinciding_runs,
     displaced_crossings,
@@ -196,4 +198,33 @@ def _keep_right(assignment: Assignment, comparison: Comparison) -> bool:
     return False
 
 
-_STEPS = (_part_displaced, _part_rerouted, _uncross, _match_places, _match_crossings, _keep_right)
+def _join_inserted(assignment: Assignment, comparison: Comparison) -> bool:
+    """Inserted lanes in series become one where nothing differs between them and no lane beside them ends there."""
+    for chain in comparison.edited_graph.chains(comparison.inserted_lanes):
+        for one, other in pairwise(chain):
+            pair = [comparison.edited.lanes[lane] for lane in (one, other)]
+            if (
+                joinable(*pair)
+                and assignment.is_free([one, other])
+                and all(map(readable_element, pair))
+                and not _ends_beside(comparison.edited, *pair)
+            ):
+                assignment.join(one, other)
+                return True
+    return False
+
+
+def _ends_beside(state: MapState, one: LaneSegment, other: LaneSegment) -> bool:
+    """Whether a third lane ends at the joint of two: their segmentation follows it."""
+    joint = {one.left_boundary[-1][:2], one.right_boundary[-1][:2]}
+    return any(
+        line[end][:2] in joint
+        for lane in state.lanes.values()
+        if lane.id not in (one.id, other.id)
+        for line in (lane.left_boundary, lane.right_boundary)
+        for end in (0, -1)
+        if line
+    )
+
+
+_STEPS = (_part_displaced, _part_rerouted, _uncross, _match_places, _match_crossings, _keep_right, _join_inserted)
