@@ -15,6 +15,7 @@ from lanewright.core.elements import ElementKey, ElementKind, MapState, Pedestri
 from lanewright.core.geometry import Shape, distance_m, hausdorff_m, moved, overlap, polygon, readable_element
 from lanewright.core.linework import Linework
 from lanewright.core.roadgraph import FINISH, START, Endpoint, Link, RoadGraph
+from lanewright.core.survey import Survey
 from lanewright.core.turns import TurnFunction, same_function, turn_function
 
 COINCIDENT_M = 3.0
@@ -26,8 +27,8 @@ SAME_CROSSING_OVERLAP = 0.3
 class Comparison:
     """Base and edited map compared (spec §2: B, E, survivors, deleted, inserted)."""
 
-    def __init__(self, base: MapState, edited: MapState, claims: Claims = NO_CLAIMS):
-        self.base, self.edited = cut_alike(base, edited)
+    def __init__(self, base: MapState, edited: MapState, claims: Claims = NO_CLAIMS, *, already_cut: bool = False):
+        self.base, self.edited = (base, edited) if already_cut else cut_alike(base, edited)
         self.claims = claims
         self._moved: dict[int, tuple[bool, bool]] = {}
         self._moved_crossings: dict[int, bool] = {}
@@ -35,17 +36,29 @@ class Comparison:
         self._functions: dict[tuple[bool, int], TurnFunction | None] = {}
 
     @cached_property
+    def survey(self) -> Survey:
+        """What is known of the base."""
+        return Survey.of(self.base)
+
+    @cached_property
     def base_graph(self) -> RoadGraph:
-        return RoadGraph.of(self.base)
+        return self.survey.graph
 
     @cached_property
     def edited_graph(self) -> RoadGraph:
-        return RoadGraph.of(self.edited)
+        return self.base_graph.updated(
+            self.edited.lanes, self.deleted_lanes.union(self.touched_lanes), self.survey.references
+        )
 
     @cached_property
-    def edited_linework(self) -> Linework:
-        """The boundaries of the edited map as arrays."""
-        return Linework(self.edited.lanes)
+    def touched_lanes(self) -> frozenset[int]:
+        """Lanes of the edited map that are new or not equal to the base's."""
+        return self.inserted_lanes.union(self.differing_lanes)
+
+    @cached_property
+    def touched_linework(self) -> Linework:
+        """The boundaries of the touched lanes as arrays."""
+        return Linework({lane: self.edited.lanes[lane] for lane in sorted(self.touched_lanes)})
 
     @cached_property
     def surviving_lanes(self) -> frozenset[int]:
@@ -98,7 +111,7 @@ class Comparison:
     @cached_property
     def inverse(self) -> Comparison:
         """The same two maps, told the other way round."""
-        inverse = Comparison(self.edited, self.base)
+        inverse = Comparison(self.edited, self.base, already_cut=True)
         inverse.base_graph, inverse.edited_graph = self.edited_graph, self.base_graph
         inverse._moved = self._moved
         return inverse

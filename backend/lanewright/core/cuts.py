@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from lanewright.core.elements import LaneSegment, MapState
@@ -16,29 +16,29 @@ from lanewright.core.geometry import readable_element
 from lanewright.core.identity import joinable, with_lanes_exchanged
 from lanewright.core.roadgraph import RoadGraph
 from lanewright.core.series import Run
+from lanewright.core.survey import Survey, parts_recorded
 
 
 def cut_alike(base: MapState, edited: MapState) -> tuple[MapState, MapState]:
     """Both maps with the cuts that the other one records; the very same objects where there are none."""
-    return cut_like(base, edited), cut_like(edited, base)
+    if base is edited:
+        return base, edited
+    before = Survey.of(base).fact(parts_recorded)
+    # A part that the base does not have already can only be in a lane that is not the base's own object.
+    known = base.lanes
+    fresh = {key: lane for key, lane in edited.lanes.items() if lane.part_of is not None and known.get(key) is not lane}
+    after = parts_recorded(MapState(fresh)) if fresh else {}
+    return cut_like(base, edited, after), cut_like(edited, base, before)
 
 
-def cut_like(state: MapState, other: MapState) -> MapState:
+def cut_like(state: MapState, other: MapState, recorded: Mapping[int, Sequence[int]]) -> MapState:
     """The state with each lane cut of which the other map has the parts."""
-    for lane, parts in _recorded_parts(other).items():
+    for lane, parts in recorded.items():
         if lane in state.lanes and not any(part in state.lanes for part in parts) and lane not in other.lanes:
             order = _in_series(other, parts)
             if order and readable_element(state.lanes[lane]) and _legal([other.lanes[part] for part in order]):
                 state = _cut(state, lane, [other.lanes[part] for part in order])
     return state
-
-
-def _recorded_parts(state: MapState) -> dict[int, list[int]]:
-    parts: dict[int, list[int]] = {}
-    for key, lane in state.lanes.items():
-        if lane.part_of is not None:
-            parts.setdefault(lane.part_of, []).append(key)
-    return parts
 
 
 def _in_series(state: MapState, parts: Iterable[int]) -> tuple[int, ...]:

@@ -104,17 +104,19 @@ class Linework:
         half = self._half
         return np.hstack([np.minimum(low[:half], low[half:]), np.maximum(high[:half], high[half:])])
 
-    def like(self, lane: int) -> tuple[int, ...]:
-        """Ids of readable lanes that may cover the same ground as this one: boxes overlap, areas agree to a tenth."""
-        ids = self.ids[self.readable]
-        at = np.flatnonzero(ids == lane)
-        if not len(at):
+    def extent(self, lane: int) -> tuple[Floats, float] | None:
+        """Bounds and area of a lane; None if it cannot be read."""
+        at = np.flatnonzero(self.ids[self.readable] == lane)
+        return (self.bounds[at[0]], abs(float(self.area_m2[at[0]]))) if len(at) else None
+
+    def like(self, bounds: Floats, area_m2: float) -> tuple[int, ...]:
+        """Ids of readable lanes that may cover the same ground: boxes overlap, areas agree to some 15 %."""
+        if not self._half:
             return ()
-        box, area = self.bounds[at[0]], np.abs(self.area_m2)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            alike = np.minimum(area, area[at[0]]) >= 0.85 * np.maximum(area, area[at[0]])
-        apart = (self.bounds[:, :2] > box[2:]).any(axis=1) | (self.bounds[:, 2:] < box[:2]).any(axis=1)
-        return tuple(int(key) for key in ids[alike & ~apart] if key != lane)
+        areas = np.abs(self.area_m2)
+        alike = np.minimum(areas, area_m2) >= 0.85 * np.maximum(areas, area_m2)
+        apart = (self.bounds[:, :2] > bounds[2:]).any(axis=1) | (self.bounds[:, 2:] < bounds[:2]).any(axis=1)
+        return tuple(int(key) for key in self.ids[self.readable][alike & ~apart])
 
 
 def _flat(lines: list[Line]) -> tuple[Counts, Floats]:

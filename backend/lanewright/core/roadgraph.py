@@ -64,6 +64,42 @@ class RoadGraph:
             {key: tuple(sorted(ids)) for key, ids in before.items()},
         )
 
+    def updated(
+        self,
+        lanes: Mapping[int, LaneSegment],
+        touched: Collection[int],
+        references: Mapping[int, tuple[int, ...]],
+    ) -> RoadGraph:
+        """The graph of other lanes that differ from these in the touched ones only (changed, new or gone).
+
+        ``references``: who names an id, in this graph's map.
+        """
+        after, before = dict(self.successors), dict(self.predecessors)
+        pending: set[Link] = set()
+        for lane in touched:
+            for other in after.pop(lane, ()):
+                if other in before:
+                    before[other] = tuple(key for key in before[other] if key != lane)
+            for other in before.pop(lane, ()):
+                if other in after:
+                    after[other] = tuple(key for key in after[other] if key != lane)
+        for lane in touched:
+            if lane not in lanes:
+                continue
+            after.setdefault(lane, ())
+            before.setdefault(lane, ())
+            segment = lanes[lane]
+            pending.update((lane, other) for other in segment.successors if other in lanes)
+            pending.update((other, lane) for other in segment.predecessors if other in lanes)
+            for other in references.get(lane, ()):
+                if other in lanes:
+                    pending.update(((other, lane),) if lane in lanes[other].successors else ())
+                    pending.update(((lane, other),) if lane in lanes[other].predecessors else ())
+        for upstream, downstream in pending:
+            after[upstream] = tuple(sorted({*after.get(upstream, ()), downstream}))
+            before[downstream] = tuple(sorted({*before.get(downstream, ()), upstream}))
+        return RoadGraph(lanes, after, before)
+
     def links(self) -> frozenset[Link]:
         """All in-map links, upstream first."""
         return frozenset((key, other) for key, others in self.successors.items() for other in others)

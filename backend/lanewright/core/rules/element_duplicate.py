@@ -32,19 +32,30 @@ def find(comparison: Comparison) -> Iterator[Violation]:
 
 def _duplicate_lanes(comparison: Comparison) -> set[tuple[ElementKey, ElementKey]]:
     lanes = comparison.edited.lanes
-    touched = comparison.inserted_lanes.union(
+    changed = comparison.inserted_lanes.union(
         lane for lane in comparison.differing_lanes if comparison.changed_in_place(lane)
     )
-    found = set()
-    for lane in touched:
-        for other in comparison.edited_linework.like(lane):
-            if (
-                lanes[lane].lane_type is lanes[other].lane_type
-                and same_direction(lanes[lane], lanes[other])
-                and _overlap(comparison, lane_key(lane), lane_key(other)) >= SAME_OVERLAP
-            ):
-                found.add((lane_key(min(lane, other)), lane_key(max(lane, other))))
-    return found
+    return {
+        (lane_key(min(lane, other)), lane_key(max(lane, other)))
+        for lane in changed
+        for other in _alike(comparison, lane)
+        if lanes[lane].lane_type is lanes[other].lane_type
+        and same_direction(lanes[lane], lanes[other])
+        and _overlap(comparison, lane_key(lane), lane_key(other)) >= SAME_OVERLAP
+    }
+
+
+def _alike(comparison: Comparison, lane: int) -> Iterator[int]:
+    """Other lanes of the edited map about as large and at the same place: touched ones, and the base's untouched."""
+    extent = comparison.touched_linework.extent(lane)
+    if extent is None:
+        return
+    for other in comparison.touched_linework.like(*extent):
+        if other != lane:
+            yield other
+    for other in comparison.survey.linework.like(*extent):
+        if other in comparison.edited.lanes and other not in comparison.touched_lanes:
+            yield other
 
 
 def _duplicate_crossings(comparison: Comparison) -> set[tuple[ElementKey, ElementKey]]:

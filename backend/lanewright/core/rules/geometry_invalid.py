@@ -14,6 +14,7 @@ from lanewright.core.elements import Element, LaneSegment, Line, MapState, Pedes
 from lanewright.core.geometry import Plan, length_m, lines_of, plan, same_plan
 from lanewright.core.linework import NARROWEST_M, WIDEST_M
 from lanewright.core.rules.rule import Rule, no_remedies
+from lanewright.core.survey import Survey
 from lanewright.core.violations import Severity, Violation
 
 CODE = "geometry.invalid"
@@ -25,10 +26,16 @@ Defect = tuple[str, tuple[int, ...]]
 def find(comparison: Comparison) -> Iterator[Violation]:
     """Violations for every element of the edited map that has a defect."""
     edited = comparison.edited
-    for key in comparison.edited_linework.doubtful():
+    touched = comparison.touched_lanes
+    known = [key for key in comparison.survey.fact(_doubtful_lanes) if key in edited.lanes and key not in touched]
+    for key in (*comparison.touched_linework.doubtful(), *known):
         yield from _violation(comparison.base, edited.lanes[key], "Lane")
     for crossing in edited.crossings.values():
         yield from _violation(comparison.base, crossing, "Crossing")
+
+
+def _doubtful_lanes(state: MapState) -> tuple[int, ...]:
+    return Survey.of(state).linework.doubtful()
 
 
 def _violation(base: MapState, element: Element, noun: str) -> Iterator[Violation]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any
 
 from lanewright.core.comparison import Comparison
-from lanewright.core.elements import ElementKind, LaneSegment
+from lanewright.core.elements import ElementKind
 from lanewright.core.rules.rule import Remedy, Rule
+from lanewright.core.survey import named_by
 from lanewright.core.violations import Severity, Violation
 from lanewright.core.wording import lanes_named
 
@@ -18,49 +19,40 @@ CODE = "link.dangling"
 def find(comparison: Comparison) -> Iterator[Violation]:
     """Violations for each lane that names ids neither in the edited map nor on the rim of the base."""
     lanes = comparison.edited.lanes
-    rim: set[int] | None = None
-    for lane in lanes.values():
-        absent = [other for other in named(lane) if other not in lanes]
-        if not absent:
-            continue
-        if rim is None:
-            rim = rim_ids(comparison.base.lanes)
-        dangling = sorted(set(absent) - rim)
+    references = comparison.survey.references
+    keys = set(comparison.touched_lanes)
+    for deleted in comparison.deleted_lanes:
+        keys.update(key for key in references.get(deleted, ()) if key in lanes)
+    for key in sorted(keys):
+        dangling = sorted({other for other in named_by(lanes[key]) if not _known(comparison, other)})
         if dangling:
             yield Violation(
                 CODE,
                 Severity.ERROR,
                 ElementKind.LANE_SEGMENT,
-                (lane.id,),
-                f"Lane {lane.id} names {lanes_named(dangling)}, which {'is' if len(dangling) == 1 else 'are'} not in "
+                (key,),
+                f"Lane {key} names {lanes_named(dangling)}, which {'is' if len(dangling) == 1 else 'are'} not in "
                 "the map: take the reference out.",
             )
 
 
-def named(lane: LaneSegment) -> Iterator[int]:
-    """All ids that a lane names: links and neighbours."""
-    yield from lane.successors
-    yield from lane.predecessors
-    if lane.left_neighbor_id is not None:
-        yield lane.left_neighbor_id
-    if lane.right_neighbor_id is not None:
-        yield lane.right_neighbor_id
-
-
-def rim_ids(lanes: Mapping[int, LaneSegment]) -> set[int]:
-    """Ids that the lanes name without being among them: what lies beyond the crop."""
-    return {other for lane in lanes.values() for other in named(lane) if other not in lanes}
+def _known(comparison: Comparison, key: int) -> bool:
+    """Whether an id is in the edited map or on the rim: named by the base without being in it."""
+    return key in comparison.edited.lanes or (key in comparison.survey.references and key not in comparison.base.lanes)
 
 
 def remedies(comparison: Comparison, violation: Violation) -> Iterator[Remedy]:
     """Take the unknown ids out of the lane's lists."""
-    lanes = comparison.edited.lanes
-    known = lanes.keys() | rim_ids(comparison.base.lanes)
-    lane = lanes[violation.elements[0]]
+    lane = comparison.edited.lanes[violation.elements[0]]
     fields: dict[str, Any] = {
-        name: tuple(other for other in getattr(lane, name) if other in known) for name in ("successors", "predecessors")
+        name: tuple(other for other in getattr(lane, name) if _known(comparison, other))
+        for name in ("successors", "predecessors")
     }
-    fields |= {name: None for name in ("left_neighbor_id", "right_neighbor_id") if getattr(lane, name) not in known}
+    fields |= {
+        name: None
+        for name in ("left_neighbor_id", "right_neighbor_id")
+        if (other := getattr(lane, name)) is not None and not _known(comparison, other)
+    }
     mended = comparison.edited.replaced([dataclasses.replace(lane, **fields)])
     yield Remedy(f"Take the unknown ids out of lane {lane.id}", mended)
 

@@ -13,6 +13,7 @@ from lanewright.core.geometry import readable_element, same_plan
 from lanewright.core.identity import without_link
 from lanewright.core.roadgraph import FINISH, START, Link
 from lanewright.core.rules.rule import Remedy, Rule
+from lanewright.core.survey import Survey
 from lanewright.core.violations import Severity, Violation
 
 CODE = "link.gap"
@@ -23,15 +24,27 @@ _SIDES = ("left_boundary", "right_boundary")
 def find(comparison: Comparison) -> Iterator[Violation]:
     """Violations for each link of the edited map whose ends lie more than 1 cm apart on a side."""
     graph = comparison.edited_graph
-    for upstream, others in graph.successors.items():
-        lane = graph.lanes[upstream]
-        for downstream in others:
-            other = graph.lanes[downstream]
-            if _meets(lane, other):
-                continue
-            if readable_element(lane) and readable_element(other):
-                gaps = {side: _gap_m(lane, other, side) for side in _SIDES}
-                yield _violation(comparison, (upstream, downstream), gaps)
+    touched = comparison.touched_lanes
+    links = {link for link in comparison.survey.fact(_gapping_links) if touched.isdisjoint(link)}
+    for key in touched:
+        links.update((key, other) for other in graph.successors[key])
+        links.update((other, key) for other in graph.predecessors[key])
+    for link in sorted(links):
+        lane, other = (graph.lanes.get(key) for key in link)
+        if lane is None or other is None or _meets(lane, other):
+            continue
+        if readable_element(lane) and readable_element(other):
+            yield _violation(comparison, link, {side: _gap_m(lane, other, side) for side in _SIDES})
+
+
+def _gapping_links(state: MapState) -> tuple[Link, ...]:
+    graph = Survey.of(state).graph
+    return tuple(
+        (upstream, downstream)
+        for upstream, others in graph.successors.items()
+        for downstream in others
+        if not _meets(graph.lanes[upstream], graph.lanes[downstream])
+    )
 
 
 def _meets(lane: LaneSegment, other: LaneSegment) -> bool:

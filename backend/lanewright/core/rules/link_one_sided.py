@@ -9,6 +9,7 @@ from lanewright.core.comparison import Comparison
 from lanewright.core.elements import ElementKind, LaneSegment, MapState
 from lanewright.core.roadgraph import Link
 from lanewright.core.rules.rule import Remedy, Rule
+from lanewright.core.survey import Survey
 from lanewright.core.violations import Severity, Violation
 
 CODE = "link.one_sided"
@@ -16,9 +17,18 @@ CODE = "link.one_sided"
 
 def find(comparison: Comparison) -> Iterator[Violation]:
     """Violations for each link of the edited map that one side alone writes, if the base has none such."""
-    halves = list(one_sided_links(comparison.edited))
-    if not halves or next(one_sided_links(comparison.base), None) is not None:
+    if comparison.survey.fact(_writes_halves):
         return
+    graph = comparison.edited_graph
+    halves = {
+        link
+        for lane in comparison.touched_lanes
+        for link in (
+            *((lane, other) for other in graph.successors[lane]),
+            *((other, lane) for other in graph.predecessors[lane]),
+        )
+        if not _written_twice(comparison.edited, link)
+    }
     for upstream, downstream in sorted(halves):
         says, silent = (
             (upstream, downstream)
@@ -32,6 +42,15 @@ def find(comparison: Comparison) -> Iterator[Violation]:
             tuple(sorted((upstream, downstream))),
             f"Lane {upstream} leads to lane {downstream}, but only lane {says} says so: name it in lane {silent} too.",
         )
+
+
+def _writes_halves(state: MapState) -> bool:
+    return next(one_sided_links(state), None) is not None
+
+
+def _written_twice(state: MapState, link: Link) -> bool:
+    upstream, downstream = link
+    return downstream in state.lanes[upstream].successors and upstream in state.lanes[downstream].predecessors
 
 
 def one_sided_links(state: MapState) -> Iterator[Link]:
@@ -48,9 +67,9 @@ def one_sided_links(state: MapState) -> Iterator[Link]:
 
 def with_links_completed(base: MapState, edited: MapState) -> MapState:
     """The edited map with every link written on both sides, if the base writes them so."""
-    halves = list(one_sided_links(edited))
-    if not halves or next(one_sided_links(base), None) is not None:
+    if Survey.of(base).fact(_writes_halves):
         return edited
+    halves = list(one_sided_links(edited))
     lanes: dict[int, LaneSegment] = {}
     for upstream, downstream in halves:
         before = lanes.get(upstream, edited.lanes[upstream])
@@ -59,7 +78,7 @@ def with_links_completed(base: MapState, edited: MapState) -> MapState:
         after = lanes.get(downstream, edited.lanes[downstream])
         if upstream not in after.predecessors:
             lanes[downstream] = dataclasses.replace(after, predecessors=(*after.predecessors, upstream))
-    return edited.replaced(lanes.values())
+    return edited.replaced(lanes.values()) if lanes else edited
 
 
 def remedies(comparison: Comparison, _violation: Violation) -> Iterator[Remedy]:

@@ -20,7 +20,8 @@ def find(comparison: Comparison) -> Iterator[Violation]:
     """Violations for each pair of lanes of which one names the other and they do not agree."""
     lanes = comparison.edited.lanes
     found: dict[tuple[int, int], tuple[str, bool]] = {}
-    for lane in lanes.values():
+    for key in sorted(_worth_a_look(comparison)):
+        lane = lanes[key]
         for side, other in (("left", lane.left_neighbor_id), ("right", lane.right_neighbor_id)):
             if other is None or other not in lanes:
                 continue
@@ -39,6 +40,24 @@ def find(comparison: Comparison) -> Iterator[Violation]:
             f"Lanes {pair[0]} and {pair[1]} are neighbours but {problem}.",
             inherited=inherited,
         )
+
+
+def _worth_a_look(comparison: Comparison) -> set[int]:
+    """Lanes that were touched or name one that was, and those that disagree in the base."""
+    references = comparison.survey.references
+    keys = set(comparison.touched_lanes).union(comparison.survey.fact(_disagreeing_lanes))
+    for lane in comparison.touched_lanes:
+        keys.update(references.get(lane, ()))
+    return {key for key in keys if key in comparison.edited.lanes}
+
+
+def _disagreeing_lanes(state: MapState) -> frozenset[int]:
+    return frozenset(
+        lane.id
+        for lane in state.lanes.values()
+        for side, other in (("left", lane.left_neighbor_id), ("right", lane.right_neighbor_id))
+        if other is not None and other in state.lanes and disagreement(lane, state.lanes[other], side) is not None
+    )
 
 
 def disagreement(lane: LaneSegment, other: LaneSegment, side: str) -> str | None:
