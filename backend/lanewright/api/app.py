@@ -30,7 +30,7 @@ from lanewright.cluster import PrivateCluster
 from lanewright.settings import LOOPBACK_HOSTS, InvalidSettings, Settings, get_settings
 
 SMALL_BODY_BYTES = 64 * 1024
-"""Limit of every body but drafts and saves."""
+"""Limit of every body but drafts, saves and reviews."""
 
 
 def create_app(settings: Settings | None = None, database_url: str | None = None) -> FastAPI:
@@ -54,10 +54,10 @@ def create_app(settings: Settings | None = None, database_url: str | None = None
     )
     app.state.settings = settings
     app.state.database_url = database_url or settings.database_url or _cluster_url(settings)
-    for module in (session, accounts, tokens, tasks, steps, logs, changes, export, operation, docs):
+    for module in (session, accounts, tokens, tasks, logs, changes, export, operation, docs):
         app.include_router(module.router)
-    drawn = APIRouter(max_body_size=settings.body_limit_bytes)  # what people draw may be large
-    for module in (workspace, revisions):
+    drawn = APIRouter(max_body_size=settings.body_limit_bytes)  # what people draw and remark on may be large
+    for module in (workspace, revisions, steps):
         drawn.include_router(module.router)
     app.include_router(drawn)
     app.include_router(frontend.router)
