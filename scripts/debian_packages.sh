@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing: PostgreSQL with PostGIS, Python's venv, and Chromium for the tests.
+# With DATABASE_URL set, running needs PostgreSQL's client programs only.
 # Usage: scripts/debian_packages.sh run|test
 # Does nothing (in a few milliseconds) when all is there. Without the right to install, says the command to run.
 set -euo pipefail
@@ -20,7 +21,11 @@ has_chromium() { [ -x "${LANEWRIGHT_CHROMIUM:-/usr/bin/chromium}" ]; }
 
 wants=()
 has_python || wants+=(python3 python3-venv)
-[ -n "${DATABASE_URL:-}" ] && [ "$purpose" = run ] || has_postgis || wants+=(postgis)
+if [ -n "${DATABASE_URL:-}" ] && [ "$purpose" = run ]; then # that server is somebody else's: only backup and psql are needed
+  command -v pg_dump >/dev/null || wants+=(postgresql-client)
+else
+  has_postgis || wants+=(postgis)
+fi
 [ "$purpose" = run ] || has_chromium || wants+=(chromium)
 [ "${#wants[@]}" -gt 0 ] || exit 0
 
