@@ -24,7 +24,8 @@ def find(comparison: Comparison) -> Iterator[Violation]:
 def find_beside(comparison: Comparison, told: Collection[ElementKey]) -> Iterator[Violation]:
     """The same, leaving out updates in which these elements are told of already.
 
-    Only an update in which something came and something went can have several legal assignments.
+    Only an update in which something came, something went and something else moved as a whole can have several
+    legal assignments.
     """
     if not _came_and_went(comparison):
         return
@@ -42,11 +43,21 @@ def _came_and_went(comparison: Comparison) -> bool:
 
 
 def _ambiguous(comparison: Comparison, group: Collection[ElementKey]) -> bool:
+    """Whether something came, something went, and something else moved as a whole: it may stand in another's place."""
     return any(
         any(key.kind is kind and key in comparison.base and key not in comparison.edited for key in group)
         and any(key.kind is kind and key in comparison.edited and key not in comparison.base for key in group)
+        and any(key.kind is kind and _moved_as_a_whole(comparison, key) for key in group)
         for kind in ElementKind
     )
+
+
+def _moved_as_a_whole(comparison: Comparison, key: ElementKey) -> bool:
+    if key not in comparison.base or key not in comparison.edited:
+        return False
+    if key.kind is ElementKind.LANE_SEGMENT:
+        return all(comparison.moved_sides(key.id))
+    return comparison.crossing_moved(key.id)
 
 
 def _violation(group: tuple[ElementKey, ...]) -> Violation:
