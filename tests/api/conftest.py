@@ -8,6 +8,7 @@ from functools import lru_cache
 from pathlib import Path
 
 import pytest
+import structlog
 from fastapi import FastAPI
 from sqlalchemy.orm import Session
 from starlette.testclient import TestClient
@@ -28,6 +29,14 @@ from lanewright.settings import Settings
 ADDRESS = "http://127.0.0.1"
 PASSWORD = "correct horse battery"
 RULES = SessionRules(idle=datetime.timedelta(hours=12), absolute=datetime.timedelta(days=7), demo_allowed=True)
+
+# Traces without local variables: Rich's, the default, take half a minute for a request's.
+structlog.configure(
+    processors=[
+        *structlog.get_config()["processors"][:-1],
+        structlog.dev.ConsoleRenderer(exception_formatter=structlog.dev.plain_traceback),
+    ]
+)
 
 ClientFor = Callable[..., TestClient]
 AddAccount = Callable[..., Account]
