@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sqlalchemy import select
+from sqlalchemy.dialects.postgresql import distinct_on
 from sqlalchemy.orm import Session
 
 from lanewright.db.models import Log, Task
@@ -30,7 +31,7 @@ def releases_of(session: Session, split: str) -> Sequence[Release]:
         select(Log.id, Task.id, Task.line_id, Task.accepted_revision, Task.direction, Task.state_since)
         .join(Task, Task.log_id == Log.id)
         .where(Log.release_split == split, Task.accepted_revision.is_not(None))
-        .distinct(Log.log_id)
+        .ext(distinct_on(Log.log_id))
         .order_by(Log.log_id, Task.state_since.desc(), Task.id.desc())
     )
     return [
