@@ -14,7 +14,7 @@ MARKS = [Mark.NONE, Mark.SOLID_WHITE, Mark.DASHED_WHITE, Mark.SOLID_YELLOW]
 
 @st.composite
 def maps(draw: st.DrawFn) -> MapState:
-    """One to three streets, each one to three lanes wide and one to four segments long, two-sided or one-sided links."""
+    """One to three streets, one to three lanes wide, one to four segments long; links on both sides or on one."""
     lanes: dict[int, LaneSegment] = {}
     one_sided = draw(st.booleans())
     key = draw(st.integers(1, 5))
