@@ -23,6 +23,9 @@ export function macroWords(macros: StructuralUpdate["macros"]): string {
   return words.join(" · ");
 }
 
+/** The update's title without its macros, which have a line of their own. */
+const headline = ({ title }: StructuralUpdate) => title.split(": ")[0] ?? title;
+
 /** Every change once: under its update, and last those that no update holds. */
 export function groupChanges(findings: Findings): ChangeGroup[] {
   const rest = new Map(findings.changes.map((change) => [keyOf(change), change]));
@@ -38,7 +41,7 @@ export function groupChanges(findings: Findings): ChangeGroup[] {
     }
     const first = changes[0];
     if (first === undefined) continue;
-    groups.push({ key: keyOf(first), title: update.title, macros: macroWords(update.macros), changes });
+    groups.push({ key: keyOf(first), title: headline(update), macros: macroWords(update.macros), changes });
   }
   if (rest.size > 0)
     groups.push({ key: "rest", title: "Elsewhere", macros: "", changes: [...rest.values()] });

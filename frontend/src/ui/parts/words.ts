@@ -28,7 +28,9 @@ export const CATEGORIES = Object.keys(CATEGORY_WORDS) as Category[];
 /** Connectivity alone does not count as a change. */
 export const COUNTED_CATEGORIES = CATEGORIES.filter((category) => category !== "connectivity");
 
-export const ACTION_WORDS: Record<Action, string> = {
+/** What somebody did with a task. */
+export const ACTION_WORDS: Record<Action | "create", string> = {
+  create: "created the task",
   submit: "submitted",
   start_review: "started the review",
   accept: "accepted",

@@ -17,7 +17,9 @@ export function ReviewTable({ tasks, chosen, onChoose, onOpen }: ReviewTableProp
   const now = useNow();
   const row = useRef<HTMLTableRowElement>(null);
   // biome-ignore lint/correctness/useExhaustiveDependencies: a newly chosen row is scrolled to
-  useEffect(() => row.current?.scrollIntoView({ block: "nearest" }), [chosen]);
+  useEffect(() => {
+    row.current?.scrollIntoView({ block: "nearest" });
+  }, [chosen]);
   return (
     <table className={pages.table} aria-label="Tasks that wait for review">
       <thead>

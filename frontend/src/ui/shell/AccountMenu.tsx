@@ -5,7 +5,8 @@ import { signOut } from "../../api/session";
 import { useSession } from "../useSession";
 import { tellProblem } from "./tell";
 
-export function AccountMenu() {
+/** `compact`: an icon instead of the name, where room is short. */
+export function AccountMenu({ compact = false }: { compact?: boolean }) {
   const { account } = useSession();
   const [, go] = useLocation();
   const { setColorScheme } = useMantineColorScheme({ keepTransitions: true });
@@ -16,9 +17,15 @@ export function AccountMenu() {
   return (
     <Menu position="bottom-end">
       <Menu.Target>
-        <Button variant="default" rightSection={<IconChevronDown size={14} aria-hidden />}>
-          {account.name}
-        </Button>
+        {compact ? (
+          <Button variant="default" px={8} aria-label={`Account ${account.name}`} title={account.name}>
+            <IconUser size={16} aria-hidden />
+          </Button>
+        ) : (
+          <Button variant="default" rightSection={<IconChevronDown size={14} aria-hidden />}>
+            {account.name}
+          </Button>
+        )}
       </Menu.Target>
       <Menu.Dropdown>
         <Menu.Item leftSection={<IconUser size={15} />} onClick={() => go("/account")}>

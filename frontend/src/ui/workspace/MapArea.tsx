@@ -1,9 +1,9 @@
 import { useComputedColorScheme } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
-import { useMemo, useState } from "react";
+import { useCallback, useMemo, useState } from "react";
 import { getDrive } from "../../api/workspace";
 import { type KeyText, keyText } from "../../editor";
-import { type MapMarker, MapView, type MapViewMode } from "../../map";
+import { type MapHandle, type MapMarker, MapView, type MapViewMode } from "../../map";
 import { useScreen, useWorkspace } from "./context";
 import { MapControls } from "./MapControls";
 import { MapUnavailable } from "./MapUnavailable";
@@ -24,6 +24,15 @@ export function MapArea({ commands }: { commands: Commands }) {
   const arrows = useScreen((state) => state.arrows);
   const frame = useScreen((state) => state.frame);
   const [unavailable, setUnavailable] = useState<string | null>(null);
+  /** A map that has just come up turns to what is selected, e.g. by the address. */
+  const attach = useCallback(
+    (handle: MapHandle | null) => {
+      map.current = handle;
+      const { selection } = editor.getState();
+      if (selection !== null) handle?.fitElement(selection);
+    },
+    [map, editor],
+  );
   const drive = useQuery({
     queryKey: ["drive", workspace.task.id],
     queryFn: () => getDrive(workspace.task.id),
@@ -52,7 +61,7 @@ export function MapArea({ commands }: { commands: Commands }) {
     <main className={classes.map} aria-label="Map">
       {unavailable === null ? (
         <MapView
-          ref={map}
+          ref={attach}
           editor={editor}
           frame={workspace.frame}
           bounds={workspace.bounds}

@@ -12,6 +12,7 @@ import { DIRECTION_WORDS, shortLogName } from "../parts/words";
 import { AccountMenu } from "../shell/AccountMenu";
 import { useEditor, useScreen, useWorkspace } from "./context";
 import { Decisions } from "./Decisions";
+import { ReadingStatus } from "./ReadingStatus";
 import { SaveButtons } from "./SaveButtons";
 import { SavingStatus } from "./SavingStatus";
 import type { Commands } from "./useCommands";
@@ -24,16 +25,18 @@ export function WorkHeader({ commands }: { commands: Commands }) {
   const hold = (held: boolean) => commands.run({ name: "flicker", held });
   return (
     <header className={classes.header}>
-      <Link href="/" className={classes.brand}>
-        Lanewright
+      <Link href="/" className={classes.brand} title="My tasks">
+        <span className={classes.brandName}>Lanewright</span>
+        <img className={classes.brandMark} src="/favicon.svg" width={22} height={22} alt="Lanewright" />
       </Link>
       <span className={classes.crumbs}>
         {task.city} / {task.release_split} / <strong title={task.log_id}>{shortLogName(task.log_id)}</strong>
       </span>
       <StateBadge state={task.state} />
       <Badge>edits: {DIRECTION_WORDS[task.direction]}</Badge>
-      {work !== null && <SavingStatus commands={commands} />}
-      <span className={classes.spring} />
+      <div className={classes.status}>
+        {work === null ? <ReadingStatus /> : <SavingStatus commands={commands} />}
+      </div>
       {work !== null && <History />}
       <Tooltip label="Hold to see the other state">
         <Button
@@ -66,7 +69,7 @@ export function WorkHeader({ commands }: { commands: Commands }) {
           ?
         </button>
       </span>
-      <AccountMenu />
+      <AccountMenu compact />
     </header>
   );
 }
@@ -79,21 +82,23 @@ function History() {
     <Button.Group>
       <Button
         variant="default"
-        leftSection={<IconArrowBackUp size={15} aria-hidden />}
+        aria-label="Undo"
+        px={9}
         disabled={undo === undefined}
         title={undo === undefined ? "Nothing to undo" : `Undo: ${undo} (Ctrl Z)`}
         onClick={() => editor.actions.undo()}
       >
-        Undo
+        <IconArrowBackUp size={16} aria-hidden />
       </Button>
       <Button
         variant="default"
         aria-label="Redo"
+        px={9}
         disabled={redo === undefined}
         title={redo === undefined ? "Nothing to redo" : `Redo: ${redo} (Ctrl Shift Z)`}
         onClick={() => editor.actions.redo()}
       >
-        <IconArrowForwardUp size={15} aria-hidden />
+        <IconArrowForwardUp size={16} aria-hidden />
       </Button>
     </Button.Group>
   );

@@ -1,10 +1,11 @@
+import { useMediaQuery } from "@mantine/hooks";
 import { type ReactNode, useEffect, useMemo, useRef } from "react";
 import type { Workspace } from "../../api/types";
 import type { Editor } from "../../editor";
 import type { MapHandle } from "../../map";
 import type { WorkSession } from "../../work/workSession";
 import { shortLogName } from "../parts/words";
-import { createScreen, useScreen, useWorkspace, WorkspaceContext } from "./context";
+import { createScreen, useEditor, useScreen, useWorkspace, WorkspaceContext } from "./context";
 import { Inspector } from "./inspector/Inspector";
 import { KeysSheet } from "./KeysSheet";
 import { LeftPanel } from "./left/LeftPanel";
@@ -44,6 +45,14 @@ export function WorkspaceScreen({ workspace, editor, work, reopen, banner }: Wor
   );
 }
 
+/** Where room is short, the inspector is a drawer over the map, there only for what is selected. */
+function useInspectorShown(): boolean {
+  const narrow = useMediaQuery("(max-width: 1100px)");
+  const selected = useEditor((state) => state.selection !== null);
+  const shown = useScreen((state) => state.inspectorShown);
+  return shown && (selected || narrow !== true);
+}
+
 function Screen({ banner }: { banner: ReactNode }) {
   const { work } = useWorkspace();
   const commands = useCommands();
@@ -51,7 +60,7 @@ function Screen({ banner }: { banner: ReactNode }) {
   useNotices();
   useWorkspaceKeys(commands);
   const leftShown = useScreen((state) => state.leftShown);
-  const inspectorShown = useScreen((state) => state.inspectorShown);
+  const inspectorShown = useInspectorShown();
 
   const { saveOnOpen } = commands;
   useEffect(() => {
@@ -65,12 +74,19 @@ function Screen({ banner }: { banner: ReactNode }) {
     <div className={classes.screen}>
       <WorkHeader commands={commands} />
       {banner}
-      <div className={classes.body}>
+      <div className={classes.body} data-inspector={inspectorShown || undefined}>
         <ToolRail />
         {leftShown && (
           <>
             <LeftPanel commands={commands} />
-            <Resizer name="left" label="Width of the lists" initial={290} min={220} max={480} side="left" />
+            <Resizer
+              name="left"
+              label="Width of the lists"
+              initial={globalThis.innerWidth > 1100 ? 290 : 240}
+              min={220}
+              max={480}
+              side="left"
+            />
           </>
         )}
         <MapArea commands={commands} />

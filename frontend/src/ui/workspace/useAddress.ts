@@ -5,7 +5,7 @@ import { useEditor, useWorkspace } from "./context";
 
 /** Keeps the selected element in the address, and selects the one that the address names when the task opens. */
 export function useAddress(): void {
-  const { editor, map } = useWorkspace();
+  const { editor } = useWorkspace();
   const [parameters, setParameters] = useSearchParams();
   const named = useRef(parameters.get("element"));
   const selected = useEditor((state) => (state.selection === null ? null : keyText(state.selection)));
@@ -15,8 +15,7 @@ export function useAddress(): void {
     named.current = null;
     if (key === null) return;
     editor.actions.select(key);
-    map.current?.fitElement(key);
-  }, [editor, map]);
+  }, [editor]);
 
   useEffect(() => {
     if (named.current !== null) return;

@@ -1,4 +1,4 @@
-import { keyText, type MapElement } from "../../../editor";
+import { elementOf, keyText, type MapElement } from "../../../editor";
 import { useNow } from "../../parts/useNow";
 import { ago } from "../../parts/words";
 import { useEditor, useScreen } from "../context";
@@ -8,12 +8,13 @@ import classes from "./inspector.module.css";
 export function Attribution({ element, deleted }: { element: MapElement; deleted: boolean }) {
   const version = useScreen((state) => state.versions.get(keyText(element)));
   const revision = useScreen((state) => state.revisions.find(({ number }) => number === version));
-  const saved = useEditor((state) =>
-    (element.kind === "lane_segment" ? state.saved.lanes : state.saved.crossings).has(element.id),
-  );
+  const unsaved = useEditor((state) => {
+    const stored = elementOf(state.saved, element)?.attributes;
+    return deleted ? stored !== undefined : stored !== element.attributes;
+  });
   const now = useNow();
   let words = "imported, unchanged since";
-  if (!saved && !deleted) words = "not saved yet";
+  if (unsaved) words = "changed in this draft, not saved yet";
   else if (revision !== undefined) {
     words = `revision ${revision.number} · ${revision.author?.name ?? "import"} · ${ago(revision.created_at, now)}`;
   }
