@@ -123,6 +123,13 @@ def test_the_same_edit_made_twice_is_no_conflict(desk: Desk) -> None:
     assert answer["revision"] == 2
 
 
+def test_heights_make_no_conflict(desk: Desk) -> None:
+    bent = line((0.0, 0.0, 1.0), (10.0, -0.7, None), (20.0, 0.0, 1.5))
+    lower = line((0.0, 0.0, 1.0), (10.0, -0.7, 0.3), (20.0, 0.0, 1.5))
+    desk.saved(update(11, right_lane_boundary=bent))
+    assert desk.saved(update(11, right_lane_boundary=lower), repaint(12))["revision"] == 2
+
+
 def test_a_save_without_any_difference_says_so(desk: Desk, session: Session) -> None:
     counts = table_counts(session)
     for edits in ([], [repaint(11, "NONE")]):

@@ -7,7 +7,7 @@ and compare by value, so two map states can be compared element by element.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from types import MappingProxyType
 from typing import NamedTuple
@@ -156,3 +156,16 @@ class MapState:
         gone = set(removed)
         kept = (element for element in self if element.key not in gone)
         return MapState.of([*kept, *elements])
+
+
+def levelled(element: Element) -> Element:
+    """The element with every z at 0: elements that differ in heights alone become equal (z is never a change)."""
+
+    def level(line: Line) -> Line:
+        return tuple((x, y, 0.0) for x, y, _ in line)
+
+    if isinstance(element, LaneSegment):
+        return replace(
+            element, left_boundary=level(element.left_boundary), right_boundary=level(element.right_boundary)
+        )
+    return replace(element, edge1=level(element.edge1), edge2=level(element.edge2))

@@ -10,7 +10,7 @@ from sqlalchemy.orm import Session
 
 from lanewright.core.attributes import element_attributes
 from lanewright.core.edits import Edit, apply_edits
-from lanewright.core.elements import Element, ElementKey, MapState
+from lanewright.core.elements import Element, ElementKey, MapState, levelled
 from lanewright.core.elevation import Ground, fill_elevation
 from lanewright.core.errors import Conflict, InvalidInput, Place
 from lanewright.core.restore import restore
@@ -107,7 +107,7 @@ def _without_settled(
         key = edit.key
         if seen.get(key) == head.get(key):
             open_edits.append(edit)
-        elif mine.get(key) != head.get(key):
+        elif not _agree(mine.get(key), head.get(key)):
             conflicts.append(
                 {
                     "kind": key.kind,
@@ -127,6 +127,13 @@ def _without_settled(
             conflicts=conflicts,
         )
     return open_edits
+
+
+def _agree(mine: Element | None, theirs: Element | None) -> bool:
+    """Whether two people did the same; heights do not count, for the server may have filled them in."""
+    if mine is None or theirs is None:
+        return mine is theirs
+    return levelled(mine) == levelled(theirs)
 
 
 def _attributes(element: Element | None) -> dict[str, Any] | None:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable
 
+import shapely
 from sqlalchemy.orm import Session
 
+from lanewright.core.comparison import COINCIDENT_M
 from lanewright.core.elements import Element, ElementKey, ElementKind, LaneSegment, MapState
 from lanewright.core.errors import Conflict, InvalidInput, Place
 from lanewright.db.repositories import elements, id_blocks
@@ -68,8 +70,8 @@ def check_new_ids(
 ) -> None:
     """Whether elements that a save brings in may carry their ids.
 
-    They may when the id stood for just this element before on this line (somebody takes a deletion back), when the base
-    has it (the rules judge what became of it), or when it is a fresh one of this account's blocks.
+    They may when the id stood for this element before on this line (somebody takes a deletion back), when the base has
+    it (the rules judge what became of it), or when it is a fresh one of this account's blocks.
 
     Raises:
         InvalidInput: names the element and the mend.
@@ -84,7 +86,7 @@ def check_new_ids(
     unknown: list[Element] = []
     for element in fresh:
         if element.id in seen or (
-            element.id in past_ids and not any(_same(element, one) for one in past.get(element.key, []))
+            element.id in past_ids and not any(_stands_for(element, one) for one in past.get(element.key, []))
         ):
             raise InvalidInput(
                 "is an id that was used before in this task for something else",
@@ -106,18 +108,18 @@ def check_new_ids(
             )
 
 
-def _same(one: Element, other: Element) -> bool:
-    """Equal but for heights."""
-    return _flat(one) == _flat(other)
+def _stands_for(one: Element, other: Element) -> bool:
+    """Whether both are one thing, perhaps edited since: lines of one kind at one place."""
+    return one.key == other.key and shapely.hausdorff_distance(_shape(one), _shape(other)) <= COINCIDENT_M
 
 
-def _flat(element: Element) -> object:
-    if isinstance(element, LaneSegment):
-        lines = (element.left_boundary, element.right_boundary)
-        rest: tuple[object, ...] = (element.lane_type, element.left_mark, element.right_mark, element.is_intersection)
-    else:
-        lines, rest = (element.edge1, element.edge2), ()
-    return tuple(tuple(point[:2] for point in line) for line in lines), rest
+def _shape(element: Element) -> shapely.MultiLineString:
+    lines = (
+        (element.left_boundary, element.right_boundary)
+        if isinstance(element, LaneSegment)
+        else (element.edge1, element.edge2)
+    )
+    return shapely.MultiLineString([[point[:2] for point in line] for line in lines])
 
 
 def _name(element: Element) -> str:
