@@ -20,7 +20,6 @@ def advance(session: Session, log_id: int, count: int) -> int | None:
         .where(Log.id == log_id, Log.next_new_id + count - 1 <= Log.last_new_id)
         .values(next_new_id=Log.next_new_id + count)
         .returning(Log.next_new_id)
-        .execution_options(synchronize_session=False)
     ).scalar_one_or_none()
     return None if after is None else after - count
 

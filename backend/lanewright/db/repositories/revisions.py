@@ -53,7 +53,6 @@ def advance_head(session: Session, line_id: int, head: int) -> int:
         .where(Line.id == line_id, Line.head == head)
         .values(head=Line.head + 1)
         .returning(Line.head)
-        .execution_options(synchronize_session=False)
     ).scalar_one_or_none()
     if advanced is None:
         raise Conflict("The task changed while it was being saved.", mend="Save again.", code="save.collision")
