@@ -11,10 +11,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** List Accounts */
+        /**
+         * List Accounts
+         * @description All accounts by name, disabled ones too.
+         */
         get: operations["list_accounts"];
         put?: never;
-        /** Create Account */
+        /**
+         * Create Account
+         * @description Adds a person.
+         */
         post: operations["create_account"];
         delete?: never;
         options?: never;
@@ -35,7 +41,10 @@ export interface paths {
         delete?: never;
         options?: never;
         head?: never;
-        /** Change Account */
+        /**
+         * Change Account
+         * @description Changes role, password or standing. A disabled account loses its sessions and tokens at once.
+         */
         patch: operations["change_account"];
         trace?: never;
     };
@@ -46,7 +55,12 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Query Changes */
+        /**
+         * Query Changes
+         * @description Changes as the edits made, by category, city and split, at every task's head or, ``accepted``, as accepted.
+         *
+         *     Needs a token with the scope changes:read, or a reviewer's or admin's session.
+         */
         get: operations["query_changes"];
         put?: never;
         post?: never;
@@ -63,7 +77,21 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Export Split */
+        /**
+         * Export Split
+         * @description The accepted revisions of a split (train, val or test) as a tar archive, streamed.
+         *
+         *     Needs a token with the scope export:read (``Authorization: Bearer …``), or a reviewer's or admin's session:
+         *
+         *         curl --fail -H "Authorization: Bearer $TOKEN" $LANEWRIGHT/api/v1/export/train.tar | tar -x
+         *
+         *     For every log that has an accepted task: `prior/<log_id>/map/` and `current/<log_id>/map/`, each loaded by
+         *     `av2.map.map_api.ArgoverseStaticMap.from_map_dir` (with the ground raster where the log has one);
+         *     `changes/<log_id>.json`, the atomic changes and structural updates from prior to current; `sensors/<log_id>.json`,
+         *     the frames with timestamps as text, poses and the sensor files of each. Of several accepted tasks on one log the
+         *     one accepted last is exported. `manifest.json` is the last member: per log the task, revision, direction, and size
+         *     and SHA-256 of each file. An archive without it is incomplete.
+         */
         get: operations["export_split"];
         put?: never;
         post?: never;
@@ -80,7 +108,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** List Logs */
+        /**
+         * List Logs
+         * @description Imported logs by id; ``q``: part of the id.
+         */
         get: operations["list_logs"];
         put?: never;
         post?: never;
@@ -97,7 +128,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Lidar Image */
+        /**
+         * Lidar Image
+         * @description The lidar intensity image under the map; reviewers see all, annotators those of their tasks' logs.
+         */
         get: operations["lidar_image"];
         put?: never;
         post?: never;
@@ -114,7 +148,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** List People */
+        /**
+         * List People
+         * @description Names for filters and assignment; disabled accounts are left out.
+         */
         get: operations["list_people"];
         put?: never;
         post?: never;
@@ -131,12 +168,21 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Get Session */
+        /**
+         * Get Session
+         * @description Who is signed in, and the CSRF token of their session.
+         */
         get: operations["get_session"];
         put?: never;
-        /** Sign In */
+        /**
+         * Sign In
+         * @description Begins a session and sets its cookie. Every failure gets one message; repeated ones have to wait.
+         */
         post: operations["sign_in"];
-        /** Sign Out */
+        /**
+         * Sign Out
+         * @description Ends this session.
+         */
         delete: operations["sign_out"];
         options?: never;
         head?: never;
@@ -151,7 +197,10 @@ export interface paths {
             cookie?: never;
         };
         get?: never;
-        /** Change Password */
+        /**
+         * Change Password
+         * @description Sets one's own password and signs out one's other browsers.
+         */
         put: operations["change_password"];
         post?: never;
         delete?: never;
@@ -167,10 +216,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** List Tasks */
+        /**
+         * List Tasks
+         * @description Tasks; annotators get only those assigned to them. ``q``: part of the log id, the assignee, or the number.
+         */
         get: operations["list_tasks"];
         put?: never;
-        /** Create Task */
+        /**
+         * Create Task
+         * @description A new task on a log, beginning with its base map.
+         */
         post: operations["create_task"];
         delete?: never;
         options?: never;
@@ -185,14 +240,20 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Get Task */
+        /**
+         * Get Task
+         * @description One task, and what the asker may do with it.
+         */
         get: operations["get_task"];
         put?: never;
         post?: never;
         delete?: never;
         options?: never;
         head?: never;
-        /** Assign Task */
+        /**
+         * Assign Task
+         * @description Gives the task to somebody, or takes it back.
+         */
         patch: operations["assign_task"];
         trace?: never;
     };
@@ -205,7 +266,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Check Draft */
+        /**
+         * Check Draft
+         * @description What a save would be told; nothing is written. 409 ``save.stale`` as there.
+         */
         post: operations["check_draft"];
         delete?: never;
         options?: never;
@@ -221,10 +285,16 @@ export interface paths {
             cookie?: never;
         };
         get?: never;
-        /** Keep Draft */
+        /**
+         * Keep Draft
+         * @description Keeps what is not saved yet. 409 ``draft.newer``: another device kept one that this one has not seen.
+         */
         put: operations["keep_draft"];
         post?: never;
-        /** Drop Draft */
+        /**
+         * Drop Draft
+         * @description Drops the asker's own draft in this task.
+         */
         delete: operations["drop_draft"];
         options?: never;
         head?: never;
@@ -238,7 +308,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Get Drive */
+        /**
+         * Get Drive
+         * @description The vehicle's way through the log, and its frames.
+         */
         get: operations["get_drive"];
         put?: never;
         post?: never;
@@ -257,7 +330,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Take Id Block */
+        /**
+         * Take Id Block
+         * @description A block of fresh element ids for one open workspace; no id is ever handed out twice.
+         */
         post: operations["take_id_block"];
         delete?: never;
         options?: never;
@@ -274,7 +350,15 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Save */
+        /**
+         * Save
+         * @description Saves one changeset as the next revision. The same UUID with the same contents is answered byte for byte alike.
+         *
+         *     409 ``save.stale``: others changed the same elements (facts.conflicts: base, mine, theirs).
+         *     409 ``save.empty``: nothing differs. 409 ``save.replayed_differently``: the UUID was saved with other contents.
+         *     409 ``task.state``: the task is not open for edits.
+         *     422 ``save.violations``: the rules refuse it (facts.violations, with fixes).
+         */
         post: operations["save"];
         delete?: never;
         options?: never;
@@ -289,7 +373,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Get Findings */
+        /**
+         * Get Findings
+         * @description Changes and violations from the base to one revision, for review and history.
+         */
         get: operations["get_findings"];
         put?: never;
         post?: never;
@@ -308,7 +395,10 @@ export interface paths {
         };
         get?: never;
         put?: never;
-        /** Take Step */
+        /**
+         * Take Step
+         * @description Submit, start the review, accept, send back or reopen; ``actions`` of the task says what is allowed now.
+         */
         post: operations["take_step"];
         delete?: never;
         options?: never;
@@ -323,7 +413,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Open Workspace */
+        /**
+         * Open Workspace
+         * @description All that the editor needs to open a task at one revision.
+         */
         get: operations["open_workspace"];
         put?: never;
         post?: never;
@@ -340,10 +433,16 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** List Tokens */
+        /**
+         * List Tokens
+         * @description One's own tokens, expired and revoked ones too.
+         */
         get: operations["list_tokens"];
         put?: never;
-        /** Create Token */
+        /**
+         * Create Token
+         * @description A new token. It is shown in this answer and never again.
+         */
         post: operations["create_token"];
         delete?: never;
         options?: never;
@@ -361,7 +460,10 @@ export interface paths {
         get?: never;
         put?: never;
         post?: never;
-        /** Revoke Token */
+        /**
+         * Revoke Token
+         * @description Ends a token at once.
+         */
         delete: operations["revoke_token"];
         options?: never;
         head?: never;
@@ -375,7 +477,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Healthz */
+        /**
+         * Healthz
+         * @description The process answers.
+         */
         get: operations["healthz"];
         put?: never;
         post?: never;
@@ -392,7 +497,10 @@ export interface paths {
             path?: never;
             cookie?: never;
         };
-        /** Readyz */
+        /**
+         * Readyz
+         * @description The database answers and is migrated, and the frontend is built.
+         */
         get: operations["readyz"];
         put?: never;
         post?: never;
@@ -1012,7 +1120,7 @@ export interface components {
          * Severity
          * @enum {string}
          */
-        Severity: "error" | "warning";
+        Severity: "error" | "warning" | "none";
         /** SignIn */
         SignIn: {
             /** Name */
@@ -1298,7 +1406,7 @@ export interface operations {
                     "application/json": components["schemas"]["AccountOut"][];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -1307,7 +1415,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -1316,7 +1424,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1325,7 +1433,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -1334,7 +1442,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -1343,7 +1451,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -1352,7 +1460,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -1361,8 +1469,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1394,7 +1520,7 @@ export interface operations {
                     "application/json": components["schemas"]["AccountOut"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -1403,7 +1529,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -1412,7 +1538,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1421,7 +1547,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -1430,7 +1556,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -1439,7 +1565,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -1448,7 +1574,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -1457,8 +1583,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1492,7 +1636,7 @@ export interface operations {
                     "application/json": components["schemas"]["AccountOut"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -1501,7 +1645,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -1510,7 +1654,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1519,7 +1663,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -1528,7 +1672,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -1537,7 +1681,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -1546,7 +1690,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -1555,8 +1699,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1591,7 +1753,7 @@ export interface operations {
                     "application/json": components["schemas"]["ChangePage"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -1600,7 +1762,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -1609,7 +1771,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1618,7 +1780,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -1627,7 +1789,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -1636,7 +1798,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -1645,7 +1807,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -1654,8 +1816,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1676,14 +1856,16 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description The archive. */
             200: {
                 headers: {
                     [name: string]: unknown;
                 };
-                content?: never;
+                content: {
+                    "application/x-tar": unknown;
+                };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -1692,7 +1874,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -1701,7 +1883,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1710,7 +1892,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -1719,7 +1901,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -1728,7 +1910,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -1737,7 +1919,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -1746,8 +1928,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1781,7 +1981,7 @@ export interface operations {
                     "application/json": components["schemas"]["LogPage"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -1790,7 +1990,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -1799,7 +1999,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1808,7 +2008,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -1817,7 +2017,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -1826,7 +2026,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -1835,7 +2035,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -1844,8 +2044,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1866,14 +2084,23 @@ export interface operations {
         };
         requestBody?: never;
         responses: {
-            /** @description Successful Response */
+            /** @description Intensity image, north up. */
             200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "image/png": unknown;
+                };
+            };
+            /** @description The image that the browser has is still the one. */
+            304: {
                 headers: {
                     [name: string]: unknown;
                 };
                 content?: never;
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -1882,7 +2109,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -1891,7 +2118,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1900,7 +2127,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -1909,7 +2136,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -1918,7 +2145,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -1927,7 +2154,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -1936,8 +2163,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -1965,7 +2210,7 @@ export interface operations {
                     "application/json": components["schemas"]["PersonOut"][];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -1974,7 +2219,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -1983,7 +2228,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -1992,7 +2237,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -2001,7 +2246,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -2010,7 +2255,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -2019,7 +2264,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -2028,8 +2273,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2057,7 +2320,7 @@ export interface operations {
                     "application/json": components["schemas"]["SessionOut"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -2066,7 +2329,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -2075,7 +2338,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -2084,7 +2347,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -2093,7 +2356,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -2102,7 +2365,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -2111,7 +2374,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -2120,8 +2383,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2153,7 +2434,7 @@ export interface operations {
                     "application/json": components["schemas"]["SessionOut"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -2162,7 +2443,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -2171,7 +2452,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -2180,7 +2461,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -2189,7 +2470,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -2198,7 +2479,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -2207,7 +2488,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -2216,8 +2497,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2243,7 +2542,7 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -2252,7 +2551,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -2261,7 +2560,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -2270,7 +2569,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -2279,7 +2578,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -2288,7 +2587,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -2297,7 +2596,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -2306,8 +2605,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2337,7 +2654,7 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -2346,7 +2663,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -2355,7 +2672,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -2364,7 +2681,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -2373,7 +2690,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -2382,7 +2699,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -2391,7 +2708,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -2400,8 +2717,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2441,7 +2776,7 @@ export interface operations {
                     "application/json": components["schemas"]["TaskPage"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -2450,7 +2785,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -2459,7 +2794,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -2468,7 +2803,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -2477,7 +2812,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -2486,7 +2821,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -2495,7 +2830,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -2504,8 +2839,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2537,7 +2890,7 @@ export interface operations {
                     "application/json": components["schemas"]["TaskOut"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -2546,7 +2899,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -2555,7 +2908,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -2564,7 +2917,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -2573,7 +2926,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -2582,7 +2935,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -2591,7 +2944,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -2600,8 +2953,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2631,7 +3002,7 @@ export interface operations {
                     "application/json": components["schemas"]["TaskOut"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -2640,7 +3011,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -2649,7 +3020,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -2658,7 +3029,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -2667,7 +3038,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -2676,7 +3047,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -2685,7 +3056,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -2694,8 +3065,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2729,7 +3118,7 @@ export interface operations {
                     "application/json": components["schemas"]["TaskOut"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -2738,7 +3127,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -2747,7 +3136,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -2756,7 +3145,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -2765,7 +3154,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -2774,7 +3163,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -2783,7 +3172,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -2792,8 +3181,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2827,7 +3234,7 @@ export interface operations {
                     "application/json": components["schemas"]["Findings"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -2836,7 +3243,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -2845,7 +3252,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -2854,7 +3261,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -2863,7 +3270,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -2872,7 +3279,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -2881,7 +3288,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -2890,8 +3297,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -2925,7 +3350,7 @@ export interface operations {
                     "application/json": components["schemas"]["DraftKept"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -2934,7 +3359,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -2943,7 +3368,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -2952,7 +3377,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -2961,7 +3386,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -2970,7 +3395,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -2979,7 +3404,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -2988,8 +3413,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3017,7 +3460,7 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -3026,7 +3469,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -3035,7 +3478,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -3044,7 +3487,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -3053,7 +3496,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -3062,7 +3505,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -3071,7 +3514,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -3080,8 +3523,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3111,7 +3572,7 @@ export interface operations {
                     "application/json": components["schemas"]["Drive"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -3120,7 +3581,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -3129,7 +3590,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -3138,7 +3599,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -3147,7 +3608,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -3156,7 +3617,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -3165,7 +3626,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -3174,8 +3635,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3205,7 +3684,7 @@ export interface operations {
                     "application/json": components["schemas"]["IdBlockOut"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -3214,7 +3693,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -3223,7 +3702,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -3232,7 +3711,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -3241,7 +3720,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -3250,7 +3729,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -3259,7 +3738,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -3268,8 +3747,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3303,7 +3800,7 @@ export interface operations {
                     "application/json": components["schemas"]["SavedRevision"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -3312,7 +3809,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -3321,7 +3818,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -3330,7 +3827,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -3339,7 +3836,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -3348,7 +3845,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -3357,7 +3854,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -3366,8 +3863,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3398,7 +3913,7 @@ export interface operations {
                     "application/json": components["schemas"]["Findings"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -3407,7 +3922,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -3416,7 +3931,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -3425,7 +3940,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -3434,7 +3949,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -3443,7 +3958,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -3452,7 +3967,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -3461,8 +3976,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3496,7 +4029,7 @@ export interface operations {
                     "application/json": components["schemas"]["TaskOut"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -3505,7 +4038,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -3514,7 +4047,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -3523,7 +4056,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -3532,7 +4065,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -3541,7 +4074,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -3550,7 +4083,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -3559,8 +4092,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3573,6 +4124,7 @@ export interface operations {
     open_workspace: {
         parameters: {
             query?: {
+                /** @description default: the head */
                 revision?: number | null;
             };
             header?: never;
@@ -3592,7 +4144,7 @@ export interface operations {
                     "application/json": components["schemas"]["Workspace"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -3601,7 +4153,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -3610,7 +4162,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -3619,7 +4171,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -3628,7 +4180,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -3637,7 +4189,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -3646,7 +4198,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -3655,8 +4207,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3684,7 +4254,7 @@ export interface operations {
                     "application/json": components["schemas"]["TokenOut"][];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -3693,7 +4263,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -3702,7 +4272,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -3711,7 +4281,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -3720,7 +4290,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -3729,7 +4299,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -3738,7 +4308,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -3747,8 +4317,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3780,7 +4368,7 @@ export interface operations {
                     "application/json": components["schemas"]["TokenCreated"];
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -3789,7 +4377,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -3798,7 +4386,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -3807,7 +4395,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -3816,7 +4404,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -3825,7 +4413,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -3834,7 +4422,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -3843,8 +4431,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3872,7 +4478,7 @@ export interface operations {
                 };
                 content?: never;
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -3881,7 +4487,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -3890,7 +4496,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -3899,7 +4505,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -3908,7 +4514,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -3917,7 +4523,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -3926,7 +4532,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -3935,8 +4541,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -3966,7 +4590,7 @@ export interface operations {
                     };
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -3975,7 +4599,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -3984,7 +4608,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -3993,7 +4617,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -4002,7 +4626,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -4011,7 +4635,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -4020,7 +4644,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -4029,8 +4653,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
@@ -4060,7 +4702,7 @@ export interface operations {
                     };
                 };
             };
-            /** @description Bad Request */
+            /** @description The request is not well-formed. */
             400: {
                 headers: {
                     [name: string]: unknown;
@@ -4069,7 +4711,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unauthorized */
+            /** @description Nobody is signed in, or the credentials do not hold. */
             401: {
                 headers: {
                     [name: string]: unknown;
@@ -4078,7 +4720,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Forbidden */
+            /** @description The asker may not do this. */
             403: {
                 headers: {
                     [name: string]: unknown;
@@ -4087,7 +4729,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Not Found */
+            /** @description It does not exist, or the asker may not know that it does. */
             404: {
                 headers: {
                     [name: string]: unknown;
@@ -4096,7 +4738,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Conflict */
+            /** @description It contradicts the present state. */
             409: {
                 headers: {
                     [name: string]: unknown;
@@ -4105,7 +4747,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Request Entity Too Large */
+            /** @description The body is too large. */
             413: {
                 headers: {
                     [name: string]: unknown;
@@ -4114,7 +4756,7 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Unprocessable Entity */
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
             422: {
                 headers: {
                     [name: string]: unknown;
@@ -4123,8 +4765,26 @@ export interface operations {
                     "application/json": components["schemas"]["Problem"];
                 };
             };
-            /** @description Too Many Requests */
+            /** @description Too many attempts. */
             429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
                 headers: {
                     [name: string]: unknown;
                 };
