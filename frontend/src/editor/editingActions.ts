@@ -95,6 +95,7 @@ export function editingActions(stage: Stage): EditingActions {
     },
     stageVertex: (vertex, to) => stage.preview((document) => planVertexMove(document, vertex, to)),
     stageElement: (key, by) => stage.preview((document) => planElementMove(document, key, by)),
+    stageNewVertex: (after, at) => stage.preview((document) => planVertexInsertion(document, after, at)),
     commitStaged: () => {
       const { staged } = stage.state;
       if (staged === null) return { ok: true };

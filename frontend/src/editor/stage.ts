@@ -55,7 +55,8 @@ export class Stage {
     if (this.state.readOnly) return;
     const planned = plan(this.state.current);
     if (isRefusal(planned)) return;
-    this.store.setState({ staged: { note: planned.note, changes: planned.changes } });
+    const { note, changes, select = this.state.selection } = planned;
+    this.store.setState({ staged: { note, changes }, selection: select });
   }
 
   show(current: MapDocument, selection: Selection | null): void {

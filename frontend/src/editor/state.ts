@@ -103,6 +103,8 @@ export interface EditorActions {
   nudge(by: Place): Outcome;
   stageVertex(vertex: VertexRef, to: Place): void;
   stageElement(key: ElementKey, by: Place): void;
+  /** A new vertex after the given one, being dragged to its place. */
+  stageNewVertex(after: VertexRef, at: Place): void;
   commitStaged(): Outcome;
   cancelStaged(): void;
   /** A new vertex between `index` and `index + 1`, in every lane that shares that piece of line. */

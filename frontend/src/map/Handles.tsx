@@ -1,6 +1,6 @@
 import { type PointerEvent, useEffect, useRef } from "react";
 import { centreOf, isSide, type LineName, lineNames, lineOf, type MapElement, together } from "../editor";
-import { dragElement, dragVertex } from "./dragging";
+import { dragElement, dragNewVertex, dragVertex } from "./dragging";
 import { useEditorState, useOverlay, useShownElement, useViewport } from "./useOverlay";
 import type { Pixel } from "./viewport";
 
@@ -132,6 +132,7 @@ function VertexHandle({
       ref={circle}
       className={`map-vertex${selected ? " map-vertex-selected" : ""}${shared > 0 ? " map-vertex-shared" : ""}`}
       transform={`translate(${at.x.toFixed(1)} ${at.y.toFixed(1)})`}
+      // biome-ignore lint/a11y/useSemanticElements: SVG has no button
       role="button"
       tabIndex={reachable ? 0 : -1}
       aria-label={`${NAMES[name]}, vertex ${index + 1} of ${count}${sharing}. Arrow keys move it.`}
@@ -168,9 +169,7 @@ function NewVertexHandle({ element, name, index, at }: NewVertexProperties) {
       onPointerDown={(event) => {
         if (!press(event)) return;
         const after = { kind: element.kind, id: element.id, side: name, index };
-        if (overlay.editor.actions.addVertex(after).ok) {
-          dragVertex(overlay, event.nativeEvent, { ...after, index: index + 1 });
-        }
+        dragNewVertex(overlay, event.nativeEvent, after);
       }}
     >
       <title>Add a vertex here</title>

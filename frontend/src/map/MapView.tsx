@@ -2,6 +2,7 @@ import { type Ref, useEffect, useImperativeHandle, useMemo, useRef, useState } f
 import { useStore } from "zustand";
 import "maplibre-gl/dist/maplibre-gl.css";
 import "./map.css";
+import "./overlay.css";
 import { elementOf, ringOf } from "../editor";
 import { hasWebGl, NO_WEBGL, NO_WORKER } from "./createMap";
 import { Legend, MapButtons } from "./Furniture";
@@ -134,6 +135,7 @@ export function MapView({ ref, ...properties }: MapViewProperties & { ref?: Ref<
       <div ref={canvas} className="map-canvas" />
       {overlay !== null && (
         <OverlayContext value={overlay}>
+          {/* biome-ignore lint/a11y/useSemanticElements: SVG has no fieldset */}
           <svg className="map-overlay" role="group" aria-label="Handles">
             <Violations markers={properties.violations ?? []} />
             {activeFrame && <ActiveFrame frame={activeFrame} />}

@@ -8,11 +8,12 @@ const SNAP_PIXELS = 9;
 
 type Stage = (place: Place, free: boolean) => void;
 
-/** Follows the pointer from a press to its release; a press without movement does nothing. */
+/** Follows the pointer from a press to its release; `click` is a press without movement. */
 export function follow(
   { editor, controller, pointer }: OverlayValue,
   press: PointerEvent,
   stage: Stage,
+  click: () => void = () => undefined,
 ): void {
   const { viewport, region } = controller;
   let moving = false;
@@ -39,6 +40,7 @@ export function follow(
     if (event.pointerId !== press.pointerId) return;
     end();
     if (moving) editor.actions.commitStaged();
+    else click();
   };
   const onCancel = () => {
     end();
@@ -65,6 +67,22 @@ export function dragVertex(overlay: OverlayValue, press: PointerEvent, vertex: V
     pointer.setState({ place, caught });
     editor.actions.stageVertex(vertex, caught?.place ?? place);
   });
+}
+
+/** A press on a piece of line: let go at once it adds a vertex there, dragged it puts the new vertex elsewhere. */
+export function dragNewVertex(overlay: OverlayValue, press: PointerEvent, after: VertexRef): void {
+  const { editor, controller, pointer } = overlay;
+  const moving = new Set([
+    ...lanesMovingWith(editor, after),
+    ...lanesMovingWith(editor, { ...after, index: after.index + 1 }),
+  ]);
+  const stage = (place: Place, free: boolean) => {
+    const radius = controller.viewport.metres(SNAP_PIXELS);
+    const caught = free ? null : snap(editor.getState().current, place, radius, moving);
+    pointer.setState({ place, caught });
+    editor.actions.stageNewVertex(after, caught?.place ?? place);
+  };
+  follow(overlay, press, stage, () => editor.actions.addVertex(after));
 }
 
 export function dragElement(overlay: OverlayValue, press: PointerEvent, key: ElementKey, from: Place): void {

@@ -20,7 +20,7 @@ export type Shown = "base" | "edited" | "difference";
 
 export interface Look {
   readonly shown: Shown;
-  /** Lets an image below shine through. */
+  /** Lets the image of the ground shine through. */
   readonly overImage: boolean;
   readonly arrows: boolean;
 }
@@ -171,7 +171,11 @@ function arrowLayer(group: Group): LayerSpecification {
     source: "arrows",
     minzoom: 15.5,
     // Junctions get theirs only when there is room for them.
-    filter: ["all", ["==", ["get", "group"], group], ["any", ["!", ["get", "junction"]], [">=", ["zoom"], 18.5]]],
+    filter: [
+      "all",
+      ["==", ["get", "group"], group],
+      ["any", ["!", ["get", "junction"]], [">=", ["zoom"], 18.5]],
+    ],
     layout: {
       "icon-image": ["concat", "arrow-", ["get", "icon"]],
       "icon-rotate": ["get", "bearing"],
@@ -210,7 +214,7 @@ export function opacitiesOf({
   arrows,
 }: Look): [layer: string, property: string, value: number][] {
   const full: Readonly<Record<PerGroup, number>> = {
-    surface: overImage ? 0.35 : 1,
+    surface: 1,
     bars: overImage ? 0.6 : 0.75,
     implied: 0.75,
     painted: 1,
@@ -226,6 +230,5 @@ export function opacitiesOf({
   }
   const tint = shown === "difference" ? (overImage ? 0.5 : 0.6) : 0;
   opacities.push(["change", "fill-opacity", tint], ["change-stripes", "fill-opacity", tint]);
-  opacities.push(["drivable", "fill-opacity", overImage ? 0.25 : 1]);
   return opacities;
 }

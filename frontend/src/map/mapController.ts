@@ -14,7 +14,8 @@ import { Viewport } from "./viewport";
 export type Theme = "dark" | "light";
 
 const LIDAR = "lidar";
-const BELOW_LANES = "surface-both";
+/** Above the lanes' grey, so that it shows on the road, and below tints, paint and arrows. */
+const ABOVE_IMAGE = "change";
 
 export class MapController {
   readonly map: MapLibreMap;
@@ -153,7 +154,7 @@ export class MapController {
       coordinates: [corner(west, north), corner(east, north), corner(east, south), corner(west, south)],
     });
     const layer = { id: LIDAR, type: "raster", source: LIDAR, paint: { "raster-fade-duration": 0 } } as const;
-    this.map.addLayer(layer, BELOW_LANES);
+    this.map.addLayer(layer, ABOVE_IMAGE);
   }
 
   #whenReady(act: () => void): void {
