@@ -55,7 +55,7 @@ def test_every_acknowledged_changeset_is_saved_exactly_once(command: Lanewright,
 def survive(command: Lanewright, ledger: Ledger, choose: random.Random) -> None:
     """Kills server, database or both in the middle of saves, again and again; each time they come back."""
     for number in range(KILLS):
-        wanted = ledger.acknowledged + choose.randint(5, 25)
+        wanted = ledger.acknowledged + choose.randint(4, 16)
         eventually(lambda wanted=wanted: ledger.faults or ledger.acknowledged >= wanted, "saves are acknowledged")
         assert ledger.faults == []
         victims = ("both", "server", "database")[number % 3]

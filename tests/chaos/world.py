@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import json
-import re
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +13,22 @@ from tests.services.log_folder import LOG_ID, write_log
 from tests.stored_logs import lane, points
 
 LANES = 60
-PASSWORD = re.compile(r"[Pp]assword[^:]*: (\S+)")
+PASSWORD = "correct horse battery"
+PREPARE = f"""
+from pathlib import Path
+from lanewright.cli.connection import database
+from lanewright.core.workflow import Direction, Role
+from lanewright.db.engine import transaction
+from lanewright.formats.splits import SourceSplits, Split
+from lanewright.services import accounts
+from lanewright.services.importing import Placing, import_log
+
+with database() as url, transaction(url) as session:
+    placing = Placing(SourceSplits(), release=Split.TEST, direction=Direction.PRIOR_TO_CURRENT)
+    import_log(session, Path("{{folder}}"), placing)
+    for name, role in (("boss", Role.ADMIN), ("anna", Role.ANNOTATOR)):
+        accounts.add(session, name=name, role=role, password={PASSWORD!r})
+"""
 
 
 def log_text(count: int = LANES) -> str:
@@ -38,14 +52,8 @@ class Site:
     def __init__(self, command: Lanewright, folder: Path) -> None:
         self.command = command
         self.address = f"http://127.0.0.1:{command.port}"
-        imported = command.run(
-            "import",
-            str(write_log(folder, LOG_ID, map_text=log_text())),
-            "--split=test",
-            "--direction=prior_to_current",
-        )
-        assert imported.returncode == 0, imported.stdout + imported.stderr
-        self.passwords = {name: self._add(name, role) for name, role in (("boss", "admin"), ("anna", "annotator"))}
+        prepared = command.python(PREPARE.format(folder=write_log(folder, LOG_ID, map_text=log_text())))
+        assert prepared.returncode == 0, prepared.stderr
         command.serve()
         with contextlib.closing(self.sign_in("boss")) as boss:
             people = boss.get("/api/v1/people").json()
@@ -57,17 +65,10 @@ class Site:
     def sign_in(self, name: str) -> httpx.Client:
         """A client of that person's, as one more device."""
         client = httpx.Client(base_url=self.address, timeout=60.0)
-        answer = client.post("/api/v1/session", json={"name": name, "password": self.passwords[name]})
+        answer = client.post("/api/v1/session", json={"name": name, "password": PASSWORD})
         assert answer.status_code == 200, answer.text
         client.headers["X-CSRF-Token"] = answer.json()["csrf_token"]
         return client
-
-    def _add(self, name: str, role: str) -> str:
-        added = self.command.run("user", "add", name, "--role", role)
-        assert added.returncode == 0, added.stderr
-        found = PASSWORD.search(added.stdout)
-        assert found, added.stdout
-        return found[1]
 
 
 def repaint(number: int, mark: str) -> dict[str, Any]:

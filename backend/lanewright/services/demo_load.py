@@ -14,7 +14,7 @@ from lanewright.sensors.log_bundle import Progress
 from lanewright.services import tasks
 from lanewright.services.actor import Actor
 from lanewright.services.demo_accounts import ensure_demo_accounts
-from lanewright.services.importing import Placing, import_log
+from lanewright.services.importing import Outcome, Placing, import_log
 
 SEED = 7
 FOLDER = "demo"
@@ -28,6 +28,7 @@ def load_demo(session: Session, home: Path, *, progress: Progress = lambda what,
     admin = Actor(people[Role.ADMIN].id, people[Role.ADMIN].name, Role.ADMIN)
     for done, log in enumerate(written):
         progress("demo logs", done, len(written))
-        import_log(session, log.folder, Placing(splits, release=Split(log.split), direction=log.direction))
-        tasks.create(session, admin, log_id=log.log_id, direction=None, assignee_id=people[Role.ANNOTATOR].id)
+        placing = Placing(splits, release=Split(log.split), direction=log.direction)
+        if import_log(session, log.folder, placing).outcome is Outcome.IMPORTED:
+            tasks.create(session, admin, log_id=log.log_id, direction=None, assignee_id=people[Role.ANNOTATOR].id)
     return [log.log_id for log in written]
