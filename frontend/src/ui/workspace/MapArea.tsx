@@ -53,9 +53,7 @@ export function MapArea({ commands }: { commands: Commands }) {
       (findings?.violations ?? [])
         .filter(({ inherited }) => !inherited)
         .flatMap(({ kind, elements, severity }) =>
-          severity === "none"
-            ? []
-            : elements.map((id): MapMarker => ({ key: { kind, id }, severity })),
+          severity === "none" ? [] : elements.map((id): MapMarker => ({ key: { kind, id }, severity })),
         ),
     [findings],
   );
