@@ -2,7 +2,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help install install-test run stop test test-python test-frontend check check-python check-frontend types format bench demo clean
+.PHONY: help install install-test run stop test test-python test-frontend check check-python check-frontend types format bench chaos demo clean
 MAKEFLAGS += --no-print-directory
 # Where the environment forbids Python to keep compiled modules, each start would take twice as long.
 export PYTHONDONTWRITEBYTECODE :=
@@ -56,6 +56,9 @@ format: install-test ## Format all sources, and mend what linters can mend
 	@$(bin)/ruff check --fix-only .
 	@$(bin)/ruff format .
 	@scripts/frontend.sh format
+
+chaos: install-test ## Twenty tabs save while server and database are killed with -9, twenty times
+	@LANEWRIGHT_CHAOS_KILLS=20 $(bin)/pytest -q -s tests/chaos
 
 bench: install-test ## Measure opening a task and saving against the bare database
 	@$(bin)/python -m bench
