@@ -128,11 +128,11 @@ function VertexHandle({
   }, [selected, controller]);
   const sharing = shared > 0 ? `, shared with ${shared} other ${shared === 1 ? "lane" : "lanes"}` : "";
   return (
+    // biome-ignore lint/a11y/useSemanticElements: SVG has no button
     <g
       ref={circle}
       className={`map-vertex${selected ? " map-vertex-selected" : ""}${shared > 0 ? " map-vertex-shared" : ""}`}
       transform={`translate(${at.x.toFixed(1)} ${at.y.toFixed(1)})`}
-      // biome-ignore lint/a11y/useSemanticElements: SVG has no button
       role="button"
       tabIndex={reachable ? 0 : -1}
       aria-label={`${NAMES[name]}, vertex ${index + 1} of ${count}${sharing}. Arrow keys move it.`}

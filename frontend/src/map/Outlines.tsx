@@ -62,9 +62,12 @@ export function StagedOutlines() {
 export function Violations({ markers }: { markers: readonly MapMarker[] }) {
   return (
     <g>
-      {markers.map(({ key, severity }) => (
-        <Violation key={keyText(key)} elementKey={key} severity={severity} />
-      ))}
+      {markers
+        .filter(({ severity }) => severity !== "none")
+        .map(({ key, severity }, index) => (
+          // biome-ignore lint/suspicious/noArrayIndexKey: one element may be marked several times
+          <Violation key={`${keyText(key)} ${index}`} elementKey={key} severity={severity} />
+        ))}
     </g>
   );
 }

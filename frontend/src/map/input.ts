@@ -7,7 +7,9 @@ import type { DrivePath } from "./properties";
 
 const PICK_PIXELS = 6;
 const LANE_END_PIXELS = 16;
-const FRAME_PIXELS = 6;
+const FRAME_PIXELS = 5;
+/** Frames are some five metres apart: farther out their dots lie so close that no click would reach the lane. */
+const FRAMES_FROM_PIXELS_PER_METRE = 6;
 
 export interface InputOptions {
   readonly drive: DrivePath | null;
@@ -56,8 +58,9 @@ export function attachInput(
     const place = placed(event);
     if (tool === "select") {
       const { drive, onFrame } = options();
-      const frame = onFrame && nearestFrame(drive, place, viewport.metres(FRAME_PIXELS));
-      if (onFrame && typeof frame === "number") onFrame(frame);
+      const apart = viewport.pixelsPerMetre() >= FRAMES_FROM_PIXELS_PER_METRE;
+      const frame = apart ? nearestFrame(drive, place, viewport.metres(FRAME_PIXELS)) : null;
+      if (onFrame !== undefined && frame !== null) onFrame(frame);
       else actions.pick(place, viewport.metres(PICK_PIXELS));
     } else if (tool === "lane_beside") {
       const target = besideTarget(current, place, viewport.metres(PICK_PIXELS));

@@ -38,7 +38,8 @@ export type PageCommand =
 
 export interface MapMarker {
   readonly key: ElementKey;
-  readonly severity: "error" | "warning";
+  /** `none` is not marked. */
+  readonly severity: "error" | "warning" | "none";
 }
 
 export interface MapViewProperties {
