@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import threading
+import time
 from types import TracebackType
 
 import structlog
@@ -19,7 +20,7 @@ _log = structlog.get_logger(__name__)
 
 
 class Keeper:
-    """Starts the worker, starts it again when it dies (pausing longer each time), and so the cluster.
+    """Starts the worker, and starts worker and cluster again when they die (a worker that dies soon, after a pause).
 
     Args:
         cluster: the private cluster; None when the database is somebody else's.
@@ -28,10 +29,11 @@ class Keeper:
     def __init__(self, cluster: PrivateCluster | None) -> None:
         self._cluster = cluster
         self._ending = threading.Event()
+        self._pause_s = LOOK_EVERY_S
         self._thread = threading.Thread(target=self._watch, name="keeper", daemon=True)
 
     def __enter__(self) -> Keeper:
-        self._worker = _start_worker()
+        self._start_worker()
         self._thread.start()
         return self
 
@@ -46,15 +48,9 @@ class Keeper:
             self._worker.wait()
 
     def _watch(self) -> None:
-        pause_s = LOOK_EVERY_S
-        while not self._ending.wait(pause_s):
+        while not self._ending.wait(LOOK_EVERY_S):
             self._revive_cluster()
-            if self._worker.poll() is None:
-                pause_s = LOOK_EVERY_S
-                continue
-            _log.warning("the worker ended and is started again", exit_code=self._worker.returncode)
-            self._worker = _start_worker()
-            pause_s = min(2 * pause_s, LONGEST_PAUSE_S)
+            self._revive_worker()
 
     def _revive_cluster(self) -> None:
         if self._cluster is None or self._cluster.status().pid is not None:
@@ -65,11 +61,21 @@ class Keeper:
         except ClusterError as error:
             _log.error("the private cluster does not start", reason=str(error))
 
+    def _revive_worker(self) -> None:
+        age_s = time.monotonic() - self._started_at
+        if self._worker.poll() is None:
+            if age_s > LONGEST_PAUSE_S:
+                self._pause_s = LOOK_EVERY_S
+        elif age_s >= self._pause_s:
+            _log.warning("the worker ended and is started again", exit_code=self._worker.returncode)
+            self._start_worker()
+            self._pause_s = min(2 * self._pause_s, LONGEST_PAUSE_S)
 
-def _start_worker() -> subprocess.Popen[bytes]:
-    """A worker in a session of its own, so that Ctrl-C reaches the server alone, which then ends the worker.
+    def _start_worker(self) -> None:
+        """A worker in a session of its own, so that Ctrl-C reaches the server alone, which then ends the worker.
 
-    It reads from a pipe that nobody writes to: the pipe's end tells it that the server was killed.
-    """
-    command = [sys.executable, "-m", "lanewright.cli.main", "worker", "--until-stdin-ends"]
-    return subprocess.Popen(command, stdin=subprocess.PIPE, start_new_session=True)
+        It reads from a pipe that nobody writes to: the pipe's end tells it that the server was killed.
+        """
+        command = [sys.executable, "-m", "lanewright.cli.main", "worker", "--until-stdin-ends"]
+        self._started_at = time.monotonic()
+        self._worker = subprocess.Popen(command, stdin=subprocess.PIPE, start_new_session=True)
