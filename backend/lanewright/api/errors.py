@@ -180,7 +180,8 @@ def _driver(request: Request, error: DBAPIError) -> Response:
 
 
 def _database(_request: Request, error: Exception) -> Response:
-    _log.error("database not usable", error=str(error))
+    # The driver's words only: SQLAlchemy's would add the statement's values.
+    _log.error("database not usable", error=str(error.orig if isinstance(error, DBAPIError) else error))
     return problem(
         503,
         "server.database",

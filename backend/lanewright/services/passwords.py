@@ -5,10 +5,13 @@ from __future__ import annotations
 import hashlib
 import secrets
 from functools import lru_cache
+from threading import BoundedSemaphore
 
 from pwdlib import PasswordHash
 
 _SECRET_BYTES = 32
+_AT_ONCE = BoundedSemaphore(4)
+"""Each check takes 64 MiB: a flood of sign-ins must not take all memory."""
 
 
 @lru_cache(maxsize=1)
@@ -28,7 +31,9 @@ def hash_password(password: str) -> str:
 
 def password_holds(password: str, stored: str | None) -> bool:
     """Whether the password matches. Without a stored hash the same work is done: time tells nobody who exists."""
-    return _hasher().verify(password, stored or _nobodys_hash()) and stored is not None
+    expected = stored or _nobodys_hash()
+    with _AT_ONCE:
+        return _hasher().verify(password, expected) and stored is not None
 
 
 def new_secret() -> str:

@@ -44,30 +44,23 @@ def sign_in(
     A refusal is returned, not raised: the failed attempt must be committed to be counted. Unknown name, wrong
     password, disabled account and demo password out of place get one message after the same work.
     """
-    now = _now()
     name = name.strip().lower()
-    wait_s = throttle.seconds_to_wait(session, name, address, now)
-    if wait_s:
-        return Throttled(
-            "Too many sign-ins failed.",
-            mend=f"Wait {wait_s} s, then try again.",
-            code="session.throttled",
-            retry_after_s=wait_s,
-        )
     account = accounts.by_name(session, name)
-    holds = password_holds(password, account.password_hash if account else None)
-    demo_out_of_place = not rules.demo_allowed and is_demo_sign_in(name, password)
-    if account is None or not holds or account.disabled_at is not None or demo_out_of_place:
-        throttle.note_failure(session, name, address, now)
+    closed = account is None or account.disabled_at is not None
+    closed = closed or (not rules.demo_allowed and is_demo_sign_in(name, password))
+    stored = account.password_hash if account else None
+    verdict = throttle.judged(session, name, address, lambda: password_holds(password, stored) and not closed)
+    if isinstance(verdict, Throttled):
+        return verdict
+    if account is None or not verdict:
         return Unauthenticated(
             "Name or password is not right.",
             mend="Try again, or ask an admin for a new password.",
             code="session.refused",
         )
-    throttle.note_success(session, name)
     if previous_token is not None:
         accounts.end_session(session, digest(previous_token))
-    accounts.end_stale_sessions(session, now, rules.idle)
+    accounts.end_stale_sessions(session, _now(), rules.idle)
     return begin(session, account, rules)
 
 
@@ -121,21 +114,14 @@ def change_password(
     Returns:
         The refusal, as in ``sign_in``; None when it is done.
     """
-    now = _now()
-    name = actor.name.lower()
-    wait_s = throttle.seconds_to_wait(session, name, address, now)
-    if wait_s:
-        return Throttled(
-            "Too many attempts failed.",
-            mend=f"Wait {wait_s} s, then try again.",
-            code="session.throttled",
-            retry_after_s=wait_s,
-        )
-    account = accounts.by_id(session, actor.id, lock=True)
-    if account is None or not password_holds(current, account.password_hash):
-        throttle.note_failure(session, name, address, now)
+    account = keep.account
+    verdict = throttle.judged(
+        session, actor.name.lower(), address, lambda: password_holds(current, account.password_hash)
+    )
+    if isinstance(verdict, Throttled):
+        return verdict
+    if not verdict:
         return InvalidInput("is not your current password", "Type the one you signed in with.", Place(key="current"))
-    throttle.note_success(session, name)
     account.password_hash = hash_password(new)
     accounts.end_sessions(session, actor.id, but=keep.token_sha256)
     return None

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import datetime
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from sqlalchemy.orm import Session
 
+from lanewright.core.errors import Throttled
 from lanewright.db.repositories import accounts
 
 
@@ -30,25 +32,42 @@ MEMORY = datetime.timedelta(hours=1)
 """Failures older than this count no more."""
 
 
-def seconds_to_wait(session: Session, name: str, address: str, now: datetime.datetime) -> int:
-    """How long this name or this address must wait before the next attempt; 0: go ahead.
+def judged(session: Session, name: str, address: str, holds: Callable[[], bool]) -> bool | Throttled:
+    """What an attempt proves, counted; or the refusal to judge it now.
 
-    Holds a lock on both until the transaction ends, so that parallel attempts are counted one after the other.
+    ``holds`` does the slow work, and many attempts may do it side by side. Each is then counted under a lock, and those
+    that others have outrun learn nothing: parallel guesses get no further than guesses in a row.
     """
+    now = datetime.datetime.now(datetime.UTC)
+    refusal = _refusal(session, name, address, now)
+    if refusal is not None:
+        return refusal
+    proven = holds()
     accounts.lock_sign_in(session, f"name {name}", f"address {address}")
+    refusal = _refusal(session, name, address, now)
+    if refusal is not None:
+        return refusal
+    if proven:
+        # The address keeps what it did to other names: one's own account is no way to start anew.
+        accounts.forget_failures(session, name=name)
+    else:
+        accounts.forget_failures(session, before=now - MEMORY)
+        accounts.add_failure(session, name, address, now)
+    return proven
+
+
+def _refusal(session: Session, name: str, address: str, now: datetime.datetime) -> Throttled | None:
     by_name = accounts.failures_of(session, name=name, since=now - MEMORY)
     by_address = accounts.failures_of(session, address=address, since=now - MEMORY)
-    return max(_left(BY_NAME, *by_name, now), _left(BY_ADDRESS, *by_address, now))
-
-
-def note_failure(session: Session, name: str, address: str, now: datetime.datetime) -> None:
-    accounts.forget_failures(session, before=now - MEMORY)
-    accounts.add_failure(session, name, address, now)
-
-
-def note_success(session: Session, name: str) -> None:
-    """A name's own success clears its count; the address keeps what it did to other names."""
-    accounts.forget_failures(session, name=name)
+    wait_s = max(_left(BY_NAME, *by_name, now), _left(BY_ADDRESS, *by_address, now))
+    if not wait_s:
+        return None
+    return Throttled(
+        "Too many attempts failed.",
+        mend=f"Wait {wait_s} s, then try again.",
+        code="session.throttled",
+        retry_after_s=wait_s,
+    )
 
 
 def _left(allowance: Allowance, failures: int, last: datetime.datetime | None, now: datetime.datetime) -> int:

@@ -68,7 +68,7 @@ def revoke_tokens(session: Session, account_id: int, now: datetime.datetime) -> 
 
 
 def lock_sign_in(session: Session, *keys: str) -> None:
-    """Lets one sign-in at a time pass per key, until the transaction ends: parallel guesses cannot outrun the count."""
+    """Lets one sign-in at a time pass per key, until the transaction ends: no failure is counted beside another."""
     session.execute(text(f"SET LOCAL lock_timeout = '{_SIGN_IN_PATIENCE_S}s'"))
     for key in sorted(keys):
         session.execute(
