@@ -49,10 +49,7 @@ def advance_head(session: Session, line_id: int, head: int) -> int:
         Conflict: the head is not ``head`` any more.
     """
     advanced = session.execute(
-        update(Line)
-        .where(Line.id == line_id, Line.head == head)
-        .values(head=Line.head + 1)
-        .returning(Line.head)
+        update(Line).where(Line.id == line_id, Line.head == head).values(head=Line.head + 1).returning(Line.head)
     ).scalar_one_or_none()
     if advanced is None:
         raise Conflict("The task changed while it was being saved.", mend="Save again.", code="save.collision")
