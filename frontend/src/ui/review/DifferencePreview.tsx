@@ -7,6 +7,7 @@ import { MapView } from "../../map";
 import { openRevision } from "../../work/openTask";
 import { Loading } from "../parts/Loading";
 import { ProblemNotice } from "../parts/ProblemNotice";
+import { changedBounds } from "./changedBounds";
 
 interface DifferencePreviewProperties {
   task: Task;
@@ -32,15 +33,16 @@ export function DifferencePreview({ task, findings }: DifferencePreviewPropertie
           ),
     [findings],
   );
+  const workspace = opened.data?.workspace;
+  const bounds = useMemo(() => (workspace === undefined ? null : changedBounds(workspace)), [workspace]);
   if (opened.isError) return <ProblemNotice error={opened.error} onRetry={() => void opened.refetch()} />;
-  if (opened.data === undefined) return <Loading what="the map" />;
+  if (opened.data === undefined || workspace === undefined) return <Loading what="the map" />;
   if (unavailable !== null) return <p className="second">{unavailable}</p>;
-  const { workspace, editor } = opened.data;
   return (
     <MapView
-      editor={editor}
+      editor={opened.data.editor}
       frame={workspace.frame}
-      bounds={workspace.bounds}
+      bounds={bounds ?? workspace.bounds}
       drivableAreas={workspace.drivable_areas}
       direction={task.direction}
       view="difference"

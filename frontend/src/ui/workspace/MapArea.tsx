@@ -16,7 +16,7 @@ import classes from "./workspace.module.css";
 const OTHER: Record<MapViewMode, MapViewMode> = { difference: "prior", current: "prior", prior: "current" };
 
 export function MapArea({ commands }: { commands: Commands }) {
-  const { workspace, editor, map, screen } = useWorkspace();
+  const { workspace, editor, mapRef, screen } = useWorkspace();
   const { findings } = useFindings();
   const theme = useComputedColorScheme("dark");
   const view = useScreen((state) => (state.flicker ? OTHER[state.view] : state.view));
@@ -27,11 +27,11 @@ export function MapArea({ commands }: { commands: Commands }) {
   /** A map that has just come up turns to what is selected, e.g. by the address. */
   const attach = useCallback(
     (handle: MapHandle | null) => {
-      map.current = handle;
+      mapRef.current = handle;
       const { selection } = editor.getState();
       if (selection !== null) handle?.fitElement(selection);
     },
-    [map, editor],
+    [mapRef, editor],
   );
   const drive = useQuery({
     queryKey: ["drive", workspace.task.id],

@@ -27,7 +27,7 @@ function bindingOf(command: KeyCommand): { label: string; words: string } {
 }
 
 export function ToolRail() {
-  const { editor, map, work } = useWorkspace();
+  const { editor, mapRef, work } = useWorkspace();
   const current = useEditor((state) => state.tool);
   return (
     <div className={classes.rail} role="toolbar" aria-label="Tools" aria-orientation="vertical">
@@ -44,7 +44,7 @@ export function ToolRail() {
               aria-keyshortcuts={label}
               onClick={() => {
                 editor.actions.setTool(tool);
-                map.current?.focus();
+                mapRef.current?.focus();
               }}
             >
               <Icon size={19} />

@@ -30,9 +30,9 @@ interface WorkspaceScreenProperties {
 
 export function WorkspaceScreen({ workspace, editor, work, reopen, banner }: WorkspaceScreenProperties) {
   const screen = useMemo(() => createScreen(workspace), [workspace]);
-  const map = useRef<MapHandle>(null);
+  const mapRef = useRef<MapHandle>(null);
   const value = useMemo(
-    () => ({ workspace, editor, work, screen, map, reopen }),
+    () => ({ workspace, editor, work, screen, mapRef, reopen }),
     [workspace, editor, work, screen, reopen],
   );
   useEffect(() => {
@@ -50,7 +50,7 @@ function useInspectorShown(): boolean {
   const narrow = useMediaQuery("(max-width: 1100px)");
   const selected = useEditor((state) => state.selection !== null);
   const shown = useScreen((state) => state.inspectorShown);
-  return shown && (selected || narrow !== true);
+  return shown && (selected || !narrow);
 }
 
 function Screen({ banner }: { banner: ReactNode }) {

@@ -88,7 +88,7 @@ export interface WorkspaceValue {
   /** null: only to look at. */
   work: WorkSession | null;
   screen: StoreApi<ScreenState>;
-  map: RefObject<MapHandle | null>;
+  mapRef: RefObject<MapHandle | null>;
   /** Opens the task anew, e.g. after a step changed what may be done with it. */
   reopen: () => void;
 }

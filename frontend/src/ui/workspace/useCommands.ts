@@ -34,12 +34,12 @@ export function useCommands(): Commands {
   }, [save, value.work]);
 
   return useMemo(() => {
-    const { editor, screen, map, work } = value;
+    const { editor, screen, mapRef, work } = value;
     const violations = findings?.violations.filter((violation) => !violation.inherited) ?? [];
     const show = (tab: LeftTab) => screen.setState({ tab, leftShown: true });
     const visit = (key: ElementKey) => {
       editor.actions.select(key);
-      map.current?.fitElement(key);
+      mapRef.current?.fitElement(key);
     };
     /** The violations' elements while editing, the changes while reviewing. */
     const stops: ElementKey[] =

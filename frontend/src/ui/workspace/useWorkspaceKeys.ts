@@ -31,7 +31,7 @@ const inDialog = () => document.querySelector("[role=dialog]") !== null;
 
 /** The keys of the table with the focus anywhere but on the map, which has its own ear for them. */
 export function useWorkspaceKeys(commands: Commands): void {
-  const { editor, map } = useWorkspace();
+  const { editor, mapRef } = useWorkspace();
   useEffect(() => {
     const onKey = (event: KeyboardEvent) => {
       if (event.defaultPrevented) return;
@@ -46,10 +46,10 @@ export function useWorkspaceKeys(commands: Commands): void {
       else if (command === "help" || command === "find" || command === "next_issue")
         commands.run({ name: command });
       else if (command === "next_frame" || command === "previous_frame") commands.run({ name: command });
-      else if (command === "fit_log") map.current?.fitLog();
+      else if (command === "fit_log") mapRef.current?.fitLog();
       else if (command === "fit_element") {
         const { selection } = editor.getState();
-        if (selection !== null) map.current?.fitElement(selection);
+        if (selection !== null) mapRef.current?.fitElement(selection);
       } else if (!runEditorCommand(command, editor)) return;
       event.preventDefault();
     };
@@ -59,5 +59,5 @@ export function useWorkspaceKeys(commands: Commands): void {
       document.removeEventListener("keydown", onKey);
       document.removeEventListener("keyup", onKey);
     };
-  }, [commands, editor, map]);
+  }, [commands, editor, mapRef]);
 }

@@ -28,7 +28,7 @@ export function LaneInspector({ lane, base, editable }: LaneInspectorProperties)
               data={TYPES}
               value={lane.lane_type}
               allowDeselect={false}
-              disabled={!editable}
+              readOnly={!editable}
               onChange={(value) => value !== null && editor.actions.setLaneType(lane.id, value as LaneType)}
             />
           )}

@@ -17,12 +17,12 @@ export function LaneLinks({ lane }: { lane: Lane }) {
 }
 
 function Links({ words, ids }: { words: string; ids: readonly number[] }) {
-  const { editor, map } = useWorkspace();
+  const { editor, mapRef } = useWorkspace();
   const lanes = useEditor((state) => state.current.lanes);
   const go = (id: number) => {
     const key = { kind: "lane_segment" as const, id };
     editor.actions.select(key);
-    map.current?.fitElement(key);
+    mapRef.current?.fitElement(key);
   };
   return (
     <p className={classes.links}>

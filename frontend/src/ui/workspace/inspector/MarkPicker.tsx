@@ -26,12 +26,12 @@ export function MarkPicker({ id, lane, side, editable }: MarkPickerProperties) {
       data={OPTIONS}
       value={mark}
       allowDeselect={false}
-      disabled={!editable}
+      readOnly={!editable}
       withCheckIcon={false}
       maxDropdownHeight={420}
       comboboxProps={{ width: 250, position: "bottom-end" }}
-      leftSection={<MarkPaint mark={mark} side={side} />}
-      leftSectionWidth={78}
+      leftSection={<MarkPaint mark={mark} side={side} width={40} />}
+      leftSectionWidth={54}
       leftSectionPointerEvents="none"
       renderOption={({ option }) => (
         <span className={classes.mark}>

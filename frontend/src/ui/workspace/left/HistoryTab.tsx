@@ -74,12 +74,12 @@ function RevisionEntry({ revision }: { revision: Revision }) {
 }
 
 function EventEntry({ event }: { event: TaskEvent }) {
-  const { editor, map } = useWorkspace();
+  const { editor, mapRef } = useWorkspace();
   const now = useNow();
   const visit = (remark: TaskEvent["remarks"][number]) => {
     const key = { kind: remark.kind, id: remark.element_id };
     editor.actions.select(key);
-    map.current?.fitElement(key);
+    mapRef.current?.fitElement(key);
   };
   return (
     <li className={classes.event} data-action={event.action}>

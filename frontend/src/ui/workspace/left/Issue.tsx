@@ -1,5 +1,5 @@
 import { Button } from "@mantine/core";
-import { IconAlertTriangle, IconCircleX } from "@tabler/icons-react";
+import { IconAlertTriangle, IconCircleX, IconInfoCircle } from "@tabler/icons-react";
 import type { Violation } from "../../../api/types";
 import { KIND_WORDS } from "../../parts/words";
 import { useWorkspace } from "../context";
@@ -11,6 +11,8 @@ export function issueTitle(code: string): string {
   const words = code.replaceAll(/[._]/g, " ");
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
+
+const ICONS = { error: IconCircleX, warning: IconAlertTriangle, none: IconInfoCircle };
 
 interface IssueProperties {
   violation: Violation;
@@ -25,7 +27,7 @@ export function Issue({ violation, commands, editable, first }: IssueProperties)
   const { editor } = useWorkspace();
   const { kind, elements, severity, inherited } = violation;
   const tone = inherited ? "inherited" : severity;
-  const Icon = severity === "error" ? IconCircleX : IconAlertTriangle;
+  const Icon = ICONS[severity];
   const hover = (id: number | undefined) => editor.actions.hover(id === undefined ? null : { kind, id });
   return (
     <article
@@ -37,7 +39,7 @@ export function Issue({ violation, commands, editable, first }: IssueProperties)
       <h3 className={classes.issueTitle}>
         <Icon size={15} aria-hidden />
         {issueTitle(violation.code)}
-        <span className="visually-hidden">({severity})</span>
+        <span className="visually-hidden">({severity === "none" ? "note" : severity})</span>
       </h3>
       <p>{violation.message}</p>
       <p className={classes.issueElements}>
