@@ -5,50 +5,101 @@ The findings behind the rules of identity, as lanes and chains; the canonical fo
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
-from itertools import combinations
+from itertools import combinations, product
 
 import shapely
 
-from lanewright.core.comparison import Comparison, crossing_key, lane_key, same_crossing
+from lanewright.core.comparison import COINCIDENT_M, Comparison, crossing_key, lane_key, same_crossing
+from lanewright.core.elements import Point
+from lanewright.core.geometry import distance_m, readable_element
 from lanewright.core.lateral import lateral_group
-from lanewright.core.roadgraph import FINISH, START, Chain, Link
+from lanewright.core.roadgraph import FINISH, START, Chain, Endpoint, Link
 
+Cell = tuple[int, int]
+"""A square of a grid, or the positions of two lanes in their chains."""
 FAR_M = 3.0
 """A lane that no junction holds and that moved further than this is another lane."""
 
 
 def coinciding_runs(comparison: Comparison) -> list[tuple[Chain, Chain]]:
     """Contiguous parts of a deleted and an inserted chain whose starts and ends coincide; only the largest."""
-    found: list[tuple[Chain, Chain]] = []
     if not comparison.deleted_lanes or not comparison.inserted_lanes:
-        return found
-    for deleted in comparison.base_graph.chains(comparison.deleted_lanes):
-        for inserted in comparison.edited_graph.chains(comparison.inserted_lanes):
-            found += coinciding_parts(comparison, deleted, inserted)
-    return found
+        return []
+    deleted = _members(comparison.base_graph.chains(comparison.deleted_lanes))
+    inserted = _members(comparison.edited_graph.chains(comparison.inserted_lanes))
+    starts: dict[tuple[Chain, Chain], list[Cell]] = {}
+    finishes: dict[tuple[Chain, Chain], list[Cell]] = {}
+    for end, found in ((START, starts), (FINISH, finishes)):
+        for was, now in coinciding_ends(comparison, end):
+            (one, i), (other, j) = deleted[was], inserted[now]
+            found.setdefault((one, other), []).append((i, j))
+    runs: list[tuple[Chain, Chain]] = []
+    for pair in sorted(starts.keys() & finishes.keys()):
+        one, other = pair
+        runs += [
+            (one[i : k + 1], other[j : m + 1])
+            for (i, j), (k, m) in _largest(_undominated(starts[pair], -1), _undominated(finishes[pair], 1))
+        ]
+    return runs
 
 
-def coinciding_parts(comparison: Comparison, deleted: Chain, inserted: Chain) -> list[tuple[Chain, Chain]]:
-    """The largest coinciding parts of two chains, none within another."""
-    starts = _pairs(comparison, deleted, inserted, START)
-    finishes = _pairs(comparison, deleted, inserted, FINISH) if starts else []
-    parts = [((i, k), (j, m)) for i, j in starts for k, m in finishes if i <= k and j <= m]
-    largest = [one for one in parts if not any(other != one and _within(one, other) for other in parts)]
-    return [(deleted[i : k + 1], inserted[j : m + 1]) for (i, k), (j, m) in largest]
+def _members(chains: tuple[Chain, ...]) -> dict[int, tuple[Chain, int]]:
+    """Lane -> its chain, and where in it the lane is."""
+    return {lane: (chain, index) for chain in chains for index, lane in enumerate(chain)}
 
 
-def _pairs(comparison: Comparison, deleted: Chain, inserted: Chain, end: int) -> list[tuple[int, int]]:
-    return [
-        (i, j)
-        for i, was in enumerate(deleted)
-        for j, now in enumerate(inserted)
-        if comparison.coincide((was, end), (now, end))
+def coinciding_ends(comparison: Comparison, end: int) -> list[tuple[int, int]]:
+    """Pairs of a deleted and an inserted lane whose starts (finishes) are the same place, ascending."""
+    survivors = comparison.surviving_lanes
+    by_anchor: dict[Endpoint, list[int]] = {}
+    by_cell: dict[Cell, list[int]] = {}
+    for now in comparison.inserted_lanes:
+        anchors = comparison.edited_graph.anchors((now, end), survivors)
+        for anchor in anchors:
+            by_anchor.setdefault(anchor, []).append(now)
+        if not anchors and readable_element(comparison.edited.lanes[now]):
+            by_cell.setdefault(_cell(comparison.edited_graph.location((now, end))), []).append(now)
+    pairs: set[tuple[int, int]] = set()
+    for was in comparison.deleted_lanes:
+        anchors = comparison.base_graph.anchors((was, end), survivors)
+        pairs.update((was, now) for anchor in anchors for now in by_anchor.get(anchor, ()))
+        if not anchors and readable_element(comparison.base.lanes[was]):
+            here = comparison.base_graph.location((was, end))
+            x, y = _cell(here)
+            pairs.update(
+                (was, now)
+                for cell in product((x - 1, x, x + 1), (y - 1, y, y + 1))
+                for now in by_cell.get(cell, ())
+                if distance_m(here, comparison.edited_graph.location((now, end))) <= COINCIDENT_M
+            )
+    return sorted(pairs)
+
+
+def _cell(place: Point) -> Cell:
+    return (math.floor(place[0] / COINCIDENT_M), math.floor(place[1] / COINCIDENT_M))
+
+
+def _undominated(cells: list[Cell], sign: int) -> list[Cell]:
+    """Of starts (sign -1) those that no other lies before in both chains; of ends (sign 1) those none lies beyond."""
+    kept: list[Cell] = []
+    for i, j in sorted(set(cells), key=lambda cell: (-sign * cell[0], -sign * cell[1])):
+        if not kept or sign * j > max(sign * other for _, other in kept):
+            kept.append((i, j))
+    return kept
+
+
+def _largest(starts: list[Cell], finishes: list[Cell]) -> list[tuple[Cell, Cell]]:
+    parts = [
+        (start, finish) for start in starts for finish in finishes if start[0] <= finish[0] and start[1] <= finish[1]
     ]
+    return [one for one in parts if not any(other != one and _within(one, other) for other in parts)]
 
 
-def _within(one: tuple[tuple[int, int], tuple[int, int]], other: tuple[tuple[int, int], tuple[int, int]]) -> bool:
-    return all(large[0] <= small[0] and small[1] <= large[1] for small, large in zip(one, other, strict=True))
+def _within(one: tuple[Cell, Cell], other: tuple[Cell, Cell]) -> bool:
+    (start, finish), (first, last) = one, other
+    return first[0] <= start[0] and first[1] <= start[1] and finish[0] <= last[0] and finish[1] <= last[1]
 
 
 def unjustified_crossings(comparison: Comparison) -> list[tuple[int, int]]:

@@ -22,7 +22,7 @@ from lanewright.core.places import (
     unjustified_crossings,
 )
 from lanewright.core.rightmost import ambiguous_insertions
-from lanewright.core.roadgraph import Chain
+from lanewright.core.roadgraph import FINISH, START, Chain
 
 _MOST_STEPS = 400
 """A settled map takes a few steps per update; the bound only guards against maps made to have no end."""
@@ -121,21 +121,15 @@ def _uncross(assignment: Assignment, comparison: Comparison) -> bool:
 
 def _match_places(assignment: Assignment, comparison: Comparison) -> bool:
     """Runs that took the place of a deleted chain, and turns that kept their function, take the old ids."""
-    chosen = _best(assignment, comparison, coinciding_runs(comparison)) or _best(
+    return _match(assignment, comparison, coinciding_runs(comparison)) or _match(
         assignment, comparison, preserved_chains(comparison)
     )
-    if chosen is None:
-        return False
-    assignment.match_run(*chosen)
-    return True
 
 
-def _best(
-    assignment: Assignment, comparison: Comparison, pairs: Iterable[tuple[Chain, Chain]]
-) -> tuple[Chain, Chain, Alignment] | None:
-    """The pair that saves the most insertions and deletions, then has the fewest categories, the least displacement,
-    the smallest ids."""
-    found: list[tuple[tuple[float, ...], tuple[Chain, Chain, Alignment]]] = []
+def _match(assignment: Assignment, comparison: Comparison, pairs: Iterable[tuple[Chain, Chain]]) -> bool:
+    """Match pairs of runs, no lane twice: first those that save the most insertions and deletions, then by the fewest
+    categories, the least displacement, the smallest ids. Whether there were any."""
+    candidates: list[tuple[tuple[float, ...], Chain, Chain, Alignment]] = []
     for deleted, inserted in pairs:
         if any((now, was) in assignment.banned for was in deleted for now in inserted):
             continue
@@ -153,8 +147,28 @@ def _best(
             round(alignment.displacement_m, 6),
             *deleted,
         )
-        found.append((cost, (deleted, inserted, alignment)))
-    return min(found, key=lambda item: (item[0], item[1][:2]))[1] if found else None
+        candidates.append((cost, deleted, inserted, alignment))
+    used: set[int] = set()
+    for _, deleted, inserted, alignment in sorted(candidates, key=lambda one: one[:3]):
+        if used.isdisjoint((*deleted, *inserted)):
+            used.update((*deleted, *inserted))
+            assignment.match_run(deleted, inserted, alignment)
+    return bool(used)
+
+
+def _part_anchors(assignment: Assignment, comparison: Comparison) -> bool:
+    """Where a lane that had to be replaced still stands between the same junctions, since two junctions became one (or
+    one two), the survivors that hold it at the junction that changed are replaced along with it."""
+    survivors = comparison.surviving_lanes
+    for deleted, inserted in coinciding_runs(comparison):
+        if not any((now, was) in assignment.banned for was in deleted for now in inserted):
+            continue
+        for was, now, end in ((deleted[0], inserted[0], START), (deleted[-1], inserted[-1], FINISH)):
+            before = comparison.base_graph.anchors((was, end), survivors)
+            after = comparison.edited_graph.anchors((now, end), survivors)
+            if before != after and _part(assignment, sorted({lane for lane, _ in before & after})):
+                return True
+    return False
 
 
 def _match_crossings(assignment: Assignment, comparison: Comparison) -> bool:
@@ -227,4 +241,13 @@ def _ends_beside(state: MapState, one: LaneSegment, other: LaneSegment) -> bool:
     )
 
 
-_STEPS = (_part_displaced, _part_rerouted, _uncross, _match_places, _match_crossings, _keep_right, _join_inserted)
+_STEPS = (
+    _part_displaced,
+    _part_rerouted,
+    _uncross,
+    _match_places,
+    _part_anchors,
+    _match_crossings,
+    _keep_right,
+    _join_inserted,
+)

@@ -9,6 +9,7 @@ from lanewright.core.edits import Edit, edits_between
 from lanewright.core.rules.rule import Remedy, Rule
 from lanewright.core.violations import Fix, Violation
 
+_MOST_TRIALS = 24
 Findings = Callable[[Comparison], tuple[Violation, ...]]
 
 
@@ -22,9 +23,14 @@ class FixTrial:
         self._judged: dict[int, tuple[Remedy, frozenset[str], bool, tuple[Edit, ...]]] = {}
 
     def of(self, violation: Violation, rule: Rule) -> tuple[Fix, ...]:
-        """The first remedy that removes the violation and adds none; failing that, the first that removes it."""
+        """The first remedy that removes the violation and adds none; failing that, the first that removes it.
+
+        In a map with very many violations the first remedy is offered untried: trying all would take too long.
+        """
         second: tuple[Fix, ...] = ()
         for remedy in rule.remedies(self._comparison, violation):
+            if len(self._judged) >= _MOST_TRIALS and id(remedy) not in self._judged:
+                return second or (Fix(remedy.title, edits_between(self._comparison.edited, remedy.edited)),)
             left, adds_none, edits = self._judge(remedy)
             if violation.id in left:
                 continue
