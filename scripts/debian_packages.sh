@@ -26,7 +26,11 @@ if [ -n "${DATABASE_URL:-}" ] && [ "$purpose" = run ]; then # that server is som
 else
   has_postgis || wants+=(postgis)
 fi
-[ "$purpose" = run ] || has_chromium || wants+=(chromium)
+if [ "$purpose" = test ]; then
+  has_chromium || wants+=(chromium)
+  # The program that Playwright drives the browser with needs it, and brings none.
+  compgen -G '/usr/lib/*/libatomic.so.1' >/dev/null || wants+=(libatomic1)
+fi
 [ "${#wants[@]}" -gt 0 ] || exit 0
 
 command -v apt-get >/dev/null ||
