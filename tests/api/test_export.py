@@ -12,6 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import anyio
 import pytest
 from fastapi import FastAPI
 from sqlalchemy.orm import Session
@@ -220,3 +221,50 @@ def test_what_is_exported_is_what_was_stored(session: Session, admin: Account) -
 
     document = parse_map(bytes(log.map_document), log.map_file_name)
     assert elements.load(session, log.line_id, 0).state == document.state
+
+
+def test_a_client_that_goes_away_leaves_no_snapshot_open(
+    exporter: TestClient, app: FastAPI, session: Session, admin: Account
+) -> None:
+    add_task(session, admin, add_log(session))
+    is_open: list[bool] = []
+
+    @contextlib.contextmanager
+    def watched() -> Iterator[Session]:
+        is_open.append(True)
+        try:
+            yield session
+        finally:
+            is_open.append(False)
+
+    app.dependency_overrides[get_snapshots] = lambda: watched
+    accept(session, session.query(Task).one().id, 0)
+
+    async def go_away_after_the_first_piece() -> None:
+        request = exporter.build_request("GET", EXPORT.format("train"))
+        scope = {
+            "type": "http", "asgi": {"version": "3.0", "spec_version": "2.3"}, "http_version": "1.1", "method": "GET",
+            "scheme": "http", "path": request.url.path, "raw_path": request.url.raw_path, "query_string": b"",
+            "headers": [(name.lower(), value) for name, value in request.headers.raw], "client": ("127.0.0.1", 1),
+            "server": ("127.0.0.1", 80), "root_path": "",
+        }  # fmt: skip
+        gone = anyio.Event()
+        asked = False
+
+        async def receive() -> dict[str, Any]:
+            nonlocal asked
+            if not asked:
+                asked = True
+                return {"type": "http.request", "body": b"", "more_body": False}
+            await gone.wait()
+            return {"type": "http.disconnect"}
+
+        async def send(message: Any) -> None:
+            if message["type"] == "http.response.body" and message["body"]:
+                gone.set()
+                await anyio.sleep_forever()  # nobody reads any more
+
+        await app(scope, receive, send)
+
+    anyio.run(go_away_after_the_first_piece)
+    assert is_open == [True, False]

@@ -8,7 +8,7 @@ that ``ArgoverseStaticMap.from_map_dir`` loads), ``changes/<log_id>.json`` (chan
 from __future__ import annotations
 
 import datetime
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from contextlib import AbstractContextManager
 from dataclasses import asdict
 from typing import Any
@@ -51,10 +51,11 @@ def split_named(name: str) -> Split:
         ) from None
 
 
-def archive(open_snapshot: OpenSnapshot, split: Split) -> Iterator[bytes]:
+def archive(open_snapshot: OpenSnapshot, split: Split) -> Generator[bytes]:
     """The bytes of the archive, piece by piece; one log is in memory at a time.
 
-    All of it shows one state of the database. A split without accepted tasks gives an archive of the manifest alone.
+    All of it shows one state of the database; closing the generator lets go of it. A split without accepted tasks gives
+    an archive of the manifest alone.
     """
     stream = TarStream()
     with open_snapshot() as session:

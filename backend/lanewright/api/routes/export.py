@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Generator
 from functools import partial
 from typing import Annotated
 
 from fastapi import APIRouter, Depends, Request, Response
+from starlette.concurrency import run_in_threadpool
 from starlette.responses import StreamingResponse
+from starlette.types import Receive, Scope, Send
 
 from lanewright.api.deps import ExportReader, database_url
 from lanewright.db.engine import snapshot
@@ -21,6 +24,21 @@ _TAR = "application/x-tar"
 def get_snapshots(request: Request) -> OpenSnapshot:
     """Opens the archive's own view of the database, which outlives the request's transaction."""
     return partial(snapshot, database_url(request))
+
+
+class _Archive(StreamingResponse):
+    """Streams the archive, and lets go of its snapshot at once when the client goes away."""
+
+    def __init__(self, pieces: Generator[bytes], file_name: str) -> None:
+        headers = {"Content-Disposition": f'attachment; filename="{file_name}"'}
+        super().__init__(pieces, media_type=_TAR, headers=headers)
+        self._pieces = pieces
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        try:
+            await super().__call__(scope, receive, send)
+        finally:
+            await run_in_threadpool(self._pieces.close)
 
 
 @router.get(
@@ -46,5 +64,4 @@ def export_split(
     and SHA-256 of each file. An archive without it is incomplete.
     """
     wanted = export.split_named(split)
-    headers = {"Content-Disposition": f'attachment; filename="lanewright-{wanted.value}.tar"'}
-    return StreamingResponse(export.archive(snapshots, wanted), media_type=_TAR, headers=headers)
+    return _Archive(export.archive(snapshots, wanted), f"lanewright-{wanted.value}.tar")
