@@ -206,11 +206,11 @@ def send_back(reviewer: Page, task: int, scene: Scene) -> None:
     look = Workspace(reviewer, task).open()
     look.find("lane_segment", scene.painted)
     reviewer.get_by_label("Remark for the annotator").fill("Solid, not dashed.")
-    reviewer.get_by_role("banner").get_by_role("button", name=re.compile("Send back")).click()
+    look.header.get_by_role("button", name=re.compile("Send back")).click()
     dialog = reviewer.get_by_role("dialog")
     dialog.get_by_label("Reason").fill("The crossing is still there in reality.")
     dialog.get_by_role("button", name="Send back").click()
-    expect(reviewer.get_by_role("banner")).to_contain_text("changes requested", timeout=30_000)
+    expect(look.header).to_contain_text("changes requested", timeout=30_000)
 
 
 def accept(reviewer: Page, task: int) -> None:

@@ -77,7 +77,11 @@ class Workspace:
     @property
     def saving(self) -> Locator:
         """Where the work is, in words."""
-        return self.page.get_by_role("banner").get_by_role("status")
+        return self.header.get_by_role("status")
+
+    @property
+    def header(self) -> Locator:
+        return self.page.get_by_role("banner").first
 
     @property
     def map(self) -> Locator:
@@ -148,4 +152,4 @@ class Workspace:
 
     def submit(self) -> None:
         self.page.get_by_role("button", name="Submit", exact=True).click()
-        expect(self.page.get_by_role("banner")).to_contain_text("submitted", timeout=30_000)
+        expect(self.header).to_contain_text("submitted", timeout=30_000)

@@ -11,6 +11,7 @@ import { KeysSheet } from "./KeysSheet";
 import { LeftPanel } from "./left/LeftPanel";
 import { MapArea } from "./MapArea";
 import { Resizer } from "./Resizer";
+import { SentBack } from "./SentBack";
 import { StaleDialog } from "./StaleDialog";
 import { ToolRail } from "./ToolRail";
 import { useAddress } from "./useAddress";
@@ -74,6 +75,7 @@ function Screen({ banner }: { banner: ReactNode }) {
     <div className={classes.screen}>
       <WorkHeader commands={commands} />
       {banner}
+      <SentBack />
       <div className={classes.body} data-inspector={inspectorShown || undefined}>
         <ToolRail />
         {leftShown && (
