@@ -229,3 +229,16 @@ class TestOversizedBodies:
         answer = client_for(Role.ADMIN).post("/api/v1/tasks/1/check", json=body)
         assert answer.status_code == 422
         assert "note" in answer.json()["message"]
+
+
+def test_a_wrong_value_is_named_by_its_place(client_for: ClientFor) -> None:
+    point = {"x": 1.0, "y": 2.0, "z": 3.0}
+    good = {"operation": "delete", "kind": "lane_segment", "id": 11}
+    line = [point, point, point | {"x": True}]
+    bad = {"operation": "update", "kind": "lane_segment", "id": 12, "attributes": {"left_lane_boundary": line}}
+    body = {"base_revision": 0, "edits": [good, good, good, bad]}
+    answer = client_for(Role.ADMIN).post("/api/v1/tasks/1/check", json=body)
+    assert answer.status_code == 422
+    assert answer.json()["message"].startswith("edits[3].attributes.left_lane_boundary[2].x: ")
+    assert answer.json()["mend"]
+    assert answer.json()["facts"]["errors"][0]["where"] == "edits[3].attributes.left_lane_boundary[2].x"

@@ -50,7 +50,9 @@ app = create_app(Settings(), database_url="postgresql:///none")  # each test put
 schema = schemathesis.openapi.from_asgi(
     "/openapi.json",
     app,
-    config=SchemathesisConfig.from_dict({"generation": {"with-security-parameters": False}}),  # the test signs in
+    config=SchemathesisConfig.from_dict(
+        {"generation": {"with-security-parameters": False}, "request-timeout": 600}  # the test signs in itself
+    ),
     headers={"Host": "127.0.0.1"},
 )
 
