@@ -72,11 +72,15 @@ def _shift(lines: dict[tuple[bool, str], Plan], side: str) -> Plan:
 
 def crossing_size(crossing: PedestrianCrossing) -> str:
     """``11 m long, 3.0 m wide``."""
+    if not readable_element(crossing):
+        return "of no readable size"
     return f"{metres(_length(crossing))} long, {metres(_width(crossing))} wide"
 
 
 def crossing_shift(was: PedestrianCrossing, now: PedestrianCrossing) -> str:
     """How far the middle moved and how the size changed."""
+    if not (readable_element(was) and readable_element(now)):
+        return "redrawn"
     (x0, y0), (x1, y1) = _middle(was), _middle(now)
     words = []
     away = math.hypot(x1 - x0, y1 - y0)

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from lanewright.core.elements import Element, LaneSegment, Line, MapState
+from lanewright.core.geometry import readable
 
 Ground = Callable[[float, float], float]
 """Height in metres at a place of the city frame; NaN outside the surveyed area."""
@@ -75,12 +76,12 @@ def _fill_along_lines(ordered: list[Element], heights: dict[Place, float]) -> No
         for line in _lines(element):
             known = [(index, z if z == z else heights.get((x, y), math.nan)) for index, (x, y, z) in enumerate(line)]
             places = [(index, z) for index, z in known if z == z]
-            if not places or len(places) == len(line):
+            if not places or len(places) == len(line) or not readable(line):
                 continue
             along = _arc_lengths(line)
             filled = np.interp(along, [along[index] for index, _ in places], [z for _, z in places])
             for (index, z), height in zip(known, filled, strict=True):
-                if z != z:
+                if z != z and math.isfinite(height):
                     heights.setdefault(line[index][:2], float(height))
 
 
@@ -93,10 +94,10 @@ def _arc_lengths(line: Line) -> list[float]:
 
 def _fill_from_nearest(ordered: list[Element], wanted: set[Place], heights: dict[Place, float]) -> None:
     """What is left takes the height of the nearest known vertex of the map (0 in a map without any height)."""
-    left = sorted(wanted - heights.keys())
+    left = sorted(place for place in wanted - heights.keys() if all(map(math.isfinite, place)))
     if not left:
         return
-    known = [point for point in _points(ordered) if point[2] == point[2]]
+    known = [point for point in _points(ordered) if all(map(math.isfinite, point))]
     known += [(x, y, z) for (x, y), z in sorted(heights.items())]
     if not known:
         heights.update(dict.fromkeys(left, 0.0))
@@ -116,7 +117,7 @@ def _points(elements: list[Element]) -> Iterator[tuple[float, float, float]]:
 def _filled(element: Element, heights: dict[Place, float]) -> Element:
     names = _LANE_LINES if isinstance(element, LaneSegment) else _CROSSING_LINES
     lines: dict[str, Any] = {
-        name: tuple((x, y, z if z == z else heights[x, y]) for x, y, z in line)
+        name: tuple((x, y, z if z == z else heights.get((x, y), 0.0)) for x, y, z in line)
         for name, line in zip(names, _lines(element), strict=True)
         if _lacks(line)
     }

@@ -20,6 +20,8 @@ Plan = npt.NDArray[np.float64]
 Shape = Any
 """A shapely geometry (shapely ships no types)."""
 
+FURTHEST_M = 1e7
+"""Coordinates beyond this cannot be reckoned with."""
 MOVED_M = 0.05
 """A boundary moved when the Hausdorff distance between its old and new line is larger (spec §3)."""
 _DENSIFIED_M = 0.5
@@ -41,8 +43,8 @@ def same_plan(one: Line, other: Line) -> bool:
 
 
 def readable(line: Line) -> bool:
-    """Whether a line has at least two points, all finite in the plane."""
-    return len(line) >= 2 and all(math.isfinite(x) and math.isfinite(y) for x, y, _ in line)
+    """Whether a line has at least two points, all within 10,000 km of the origin (so finite) in the plane."""
+    return len(line) >= 2 and all(-FURTHEST_M < x < FURTHEST_M and -FURTHEST_M < y < FURTHEST_M for x, y, _ in line)
 
 
 def readable_element(element: Element) -> bool:

@@ -11,6 +11,7 @@ import numpy.typing as npt
 import shapely
 
 from lanewright.core.elements import LaneSegment, Line
+from lanewright.core.geometry import FURTHEST_M
 
 NARROWEST_M = 0.3
 WIDEST_M = 15.0
@@ -34,7 +35,7 @@ class Linework:
         sides = [lane.left_boundary for lane in lanes.values()] + [lane.right_boundary for lane in lanes.values()]
         counts, points = _flat(sides)
         half = len(lanes)
-        bad: Flags = (counts < 2) | ~_every(np.isfinite(points[:, 0]) & np.isfinite(points[:, 1]), counts)
+        bad: Flags = (counts < 2) | ~_every(_within_reach(points), counts)
         self.readable: Flags = ~(bad[:half] | bad[half:])
         if not self.readable.all():
             keep = np.tile(self.readable, 2)
@@ -132,6 +133,11 @@ def _every(flags: Flags, counts: Counts) -> Flags:
     owner = np.repeat(np.arange(len(counts)), counts)
     failed: Flags = np.bincount(owner[~flags], minlength=len(counts)) == 0
     return failed
+
+
+def _within_reach(points: Floats) -> Flags:
+    near: Flags = np.abs(points) < FURTHEST_M
+    return near[:, 0] & near[:, 1]
 
 
 def _cross(one: Floats, other: Floats) -> Floats:

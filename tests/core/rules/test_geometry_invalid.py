@@ -29,7 +29,7 @@ def test_clean_a_lane_round_a_roundabout():
     ("left", "right", "words"),
     [
         ("0,3.5", "0,0 60,0", "fewer than two points"),
-        ("0,3.5 nan,3 60,3.5", "0,0 60,0", "not a finite number"),
+        ("0,3.5 nan,3 60,3.5", "0,0 60,0", "not a finite number of metres"),
         ("0,3.5 20,3.5 20,3.5 60,3.5", "0,0 60,0", "repeats its point 2"),
         ("0,3.5 40,3.5 40,6 20,6 20,2 60,2", "0,0 60,0", "left boundary crosses itself"),
         ("0,3.5 60,-3.5", "0,0 60,0", "boundaries cross each other"),

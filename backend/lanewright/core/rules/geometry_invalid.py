@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -11,7 +10,7 @@ import shapely
 
 from lanewright.core.comparison import Comparison
 from lanewright.core.elements import Element, LaneSegment, Line, MapState, PedestrianCrossing
-from lanewright.core.geometry import Plan, length_m, lines_of, plan, same_plan
+from lanewright.core.geometry import Plan, length_m, lines_of, plan, readable, same_plan
 from lanewright.core.linework import NARROWEST_M, WIDEST_M
 from lanewright.core.rules.rule import Rule, no_remedies
 from lanewright.core.survey import Survey
@@ -84,8 +83,8 @@ def defects_of(element: Element) -> list[Defect]:
 def _unreadable(line: Line) -> str | None:
     if len(line) < 2:
         return "has fewer than two points"
-    if not all(math.isfinite(x) and math.isfinite(y) for x, y, _ in line):
-        return "has a coordinate that is not a finite number"
+    if not readable(line):
+        return "has a coordinate that is not a finite number of metres"
     return None
 
 

@@ -87,7 +87,8 @@ def _inherited(comparison: Comparison, link: Link, side: str) -> bool:
 
 
 def remedies(comparison: Comparison, violation: Violation) -> Iterator[Remedy]:
-    """Move the end that was edited back onto the other; else move the other; else take the link out."""
+    """Move the end that was edited back onto the other, else the other; else put an edited lane back where it was;
+    else take the link out."""
     one, other = violation.elements[0], violation.elements[-1]
     linked = other in comparison.edited_graph.successors[one]
     upstream, downstream = (one, other) if linked else (other, one)
@@ -97,6 +98,11 @@ def remedies(comparison: Comparison, violation: Violation) -> Iterator[Remedy]:
         still = upstream if moving == downstream else downstream
         state = _moved_onto(comparison.edited, moving, still, FINISH if moving == upstream else START)
         yield Remedy(f"Move the end of lane {moving} onto lane {still}", state)
+    for moved in (downstream, upstream):
+        if moved in base and base[moved] != edited[moved]:
+            lines: dict[str, Any] = {side: getattr(base[moved], side) for side in _SIDES}
+            restored = comparison.edited.replaced([dataclasses.replace(edited[moved], **lines)])
+            yield Remedy(f"Put lane {moved} back where it was", restored)
     yield Remedy(
         f"Take out the link from lane {upstream} to lane {downstream}",
         comparison.edited.replaced(without_link(edited, (upstream, downstream))),
