@@ -17,9 +17,9 @@ export function selectionActions(stage: Stage): SelectionActions {
 
   const choose = (selection: Selection | null) => store.setState({ selection, staged: null });
 
-  const pick: EditorActions["pick"] = (place, tolerance) => {
+  const pick: EditorActions["pick"] = (place, tolerance, of = "current") => {
     const { current, base, selection } = stage.state;
-    const here = elementsAt(current, place, tolerance);
+    const here = elementsAt(of === "base" ? base : current, place, tolerance);
     const stack = here.length > 0 ? here : elementsAt(base, place, tolerance).filter(isDeleted);
     const again = lastPlace !== null && Math.hypot(place.x - lastPlace.x, place.y - lastPlace.y) <= tolerance;
     lastPlace = place;
@@ -28,7 +28,7 @@ export function selectionActions(stage: Stage): SelectionActions {
       choose(null);
       return;
     }
-    const element = elementOf(current, key);
+    const element = elementOf(of === "base" ? base : current, key);
     const line = element && nearestLineName(element, place);
     const side = line !== null && line.distance <= tolerance ? line.name : null;
     choose({ ...key, side, vertex: null });

@@ -85,7 +85,7 @@ export interface DrawLaneOptions {
 export interface EditorActions {
   select(key: ElementKey | null, detail?: { side?: LineName | null; vertex?: Selection["vertex"] }): void;
   /** Selects at a place: the topmost element, and with each further click there the next one below. */
-  pick(at: Place, toleranceMetres: number): void;
+  pick(at: Place, toleranceMetres: number, of?: "current" | "base"): void;
   /** The same at the place of the last pick. */
   pickUnderneath(): void;
   hover(key: ElementKey | null): void;

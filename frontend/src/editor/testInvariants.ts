@@ -81,20 +81,21 @@ function brokenJoints(base: MapDocument, map: MapDocument): string[] {
   return broken;
 }
 
+function mentionsOf(lane: Lane): number[] {
+  return [...lane.successors, ...lane.predecessors, ...SIDES.flatMap((side) => neighborOf(lane, side) ?? [])];
+}
+
 function dangling(base: MapDocument, map: MapDocument): string[] {
   const broken: string[] = [];
+  const mentioned = [...base.lanes.values()].flatMap(mentionsOf);
+  const rim = new Set(mentioned.filter((id) => !base.lanes.has(id)));
   for (const lane of map.lanes.values()) {
-    const mentioned = [
-      ...lane.successors,
-      ...lane.predecessors,
-      ...SIDES.flatMap((side) => neighborOf(lane, side) ?? []),
-    ];
-    for (const id of mentioned) {
-      const isRim = !base.lanes.has(id) && id < 1000;
-      if (!map.lanes.has(id) && !isRim) broken.push(`${lane.id} names ${id}, which is gone`);
+    for (const id of mentionsOf(lane)) {
+      if (!map.lanes.has(id) && !rim.has(id)) broken.push(`${lane.id} names ${id}, which is gone`);
     }
-    if (new Set(lane.successors).size !== lane.successors.length)
+    if (new Set(lane.successors).size !== lane.successors.length) {
       broken.push(`${lane.id} names a successor twice`);
+    }
   }
   return broken;
 }

@@ -107,11 +107,15 @@ export function MapView({ ref, ...properties }: MapViewProperties & { ref?: Ref<
 
   useEffect(() => {
     if (controller === null) return;
-    const options = () => ({ drive: latest.current.drive ?? null, onFrame: latest.current.onFrame });
+    const options = () => {
+      const { drive = null, onFrame, view, direction } = latest.current;
+      return { drive, onFrame, showsBase: shownState(view, direction) === "base" };
+    };
     const offInput = attachInput(controller, editor, pointer, options);
-    const offKeys = attachKeyboard(controller, editor, handle, (command) =>
-      latest.current.onCommand?.(command),
-    );
+    const offKeys = attachKeyboard(controller, editor, handle, {
+      showsBase: () => options().showsBase,
+      onCommand: (command) => latest.current.onCommand?.(command),
+    });
     return () => {
       offInput();
       offKeys();
@@ -120,7 +124,10 @@ export function MapView({ ref, ...properties }: MapViewProperties & { ref?: Ref<
 
   const tool = useStore(editor, (state) => state.tool);
   const readOnly = useStore(editor, (state) => state.readOnly);
-  const overlay = useMemo(() => controller && { controller, editor, pointer }, [controller, editor, pointer]);
+  const overlay = useMemo(
+    () => controller && { controller, editor, pointer, shown },
+    [controller, editor, pointer, shown],
+  );
   const activeFrame = properties.drive?.frames.find(({ index }) => index === properties.activeFrame);
 
   return (

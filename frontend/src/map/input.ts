@@ -11,9 +11,13 @@ const FRAME_PIXELS = 5;
 /** Frames are some five metres apart: farther out their dots lie so close that no click would reach the lane. */
 const FRAMES_FROM_PIXELS_PER_METRE = 6;
 
+export const NOT_EDITED = "This is the imported map. Go back to the edited one to change it.";
+
 export interface InputOptions {
   readonly drive: DrivePath | null;
   readonly onFrame?: ((index: number) => void) | undefined;
+  /** The imported map is on the screen, which nobody edits. */
+  readonly showsBase: boolean;
 }
 
 /** Returns what takes the listeners off again. `options` is asked at each click. */
@@ -39,8 +43,9 @@ export function attachInput(
   const onMove = (event: MapMouseEvent) => {
     if (pointer.getState().dragging) return;
     const place = placed(event);
-    const { tool, current } = editor.getState();
-    if (tool === "select") actions.hover(elementsAt(current, place)[0] ?? null);
+    const { tool, current, base } = editor.getState();
+    const map = options().showsBase ? base : current;
+    if (tool === "select") actions.hover(elementsAt(map, place)[0] ?? null);
     else if (tool === "lane_beside") {
       const target = besideTarget(current, place, viewport.metres(PICK_PIXELS));
       actions.hover(target && { kind: "lane_segment", id: target.lane });
@@ -56,12 +61,14 @@ export function attachInput(
     if (event.originalEvent.button !== 0) return;
     const { tool, sketch, current } = editor.getState();
     const place = placed(event);
+    const { drive, onFrame, showsBase } = options();
     if (tool === "select") {
-      const { drive, onFrame } = options();
       const apart = viewport.pixelsPerMetre() >= FRAMES_FROM_PIXELS_PER_METRE;
       const frame = apart ? nearestFrame(drive, place, viewport.metres(FRAME_PIXELS)) : null;
       if (onFrame !== undefined && frame !== null) onFrame(frame);
-      else actions.pick(place, viewport.metres(PICK_PIXELS));
+      else actions.pick(place, viewport.metres(PICK_PIXELS), showsBase ? "base" : "current");
+    } else if (showsBase) {
+      actions.say(NOT_EDITED);
     } else if (tool === "lane_beside") {
       const target = besideTarget(current, place, viewport.metres(PICK_PIXELS));
       if (target === null) actions.say("Click on a lane, near the side that the new one shall lie on.");

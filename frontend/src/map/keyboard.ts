@@ -1,5 +1,6 @@
 /** Keys with the map focused. What the page has to do goes to it as a command. */
 import { commandOf, type Editor, type KeyCommand, nudgeOf } from "../editor";
+import { NOT_EDITED } from "./input";
 import type { MapController } from "./mapController";
 import type { MapHandle, PageCommand } from "./properties";
 
@@ -7,11 +8,19 @@ const PAN_PIXELS = 80;
 
 type Run = (event: KeyboardEvent) => void;
 
+export interface KeyboardOptions {
+  readonly onCommand: (command: PageCommand) => void;
+  /** The imported map is on the screen, which nobody edits. */
+  readonly showsBase: () => boolean;
+}
+
+const EDITING: ReadonlySet<KeyCommand> = new Set(["remove", "add_vertex", "nudge"]);
+
 export function attachKeyboard(
   { map, region }: MapController,
   editor: Editor,
   handle: MapHandle,
-  onCommand: (command: PageCommand) => void,
+  { onCommand, showsBase }: KeyboardOptions,
 ): () => void {
   const { actions } = editor;
   const page =
@@ -67,7 +76,8 @@ export function attachKeyboard(
     if (command === null || isElsewhere(event)) return;
     event.preventDefault();
     event.stopPropagation();
-    commands[command](event);
+    if (showsBase() && EDITING.has(command) && editor.getState().selection !== null) actions.say(NOT_EDITED);
+    else commands[command](event);
   };
   const onUp = (event: KeyboardEvent) => {
     if (commandOf(event) !== "flicker") return;
