@@ -15,7 +15,7 @@ from lanewright.core.elements import ElementKey, ElementKind, MapState, Pedestri
 from lanewright.core.geometry import Shape, distance_m, hausdorff_m, moved, overlap, polygon, readable_element
 from lanewright.core.linework import Linework
 from lanewright.core.roadgraph import FINISH, START, Endpoint, Link, RoadGraph
-from lanewright.core.survey import Survey
+from lanewright.core.survey import Survey, lane_ids, renewed_lanes
 from lanewright.core.turns import TurnFunction, same_function, turn_function
 
 COINCIDENT_M = 3.0
@@ -27,8 +27,11 @@ SAME_CROSSING_OVERLAP = 0.3
 class Comparison:
     """Base and edited map compared (spec §2: B, E, survivors, deleted, inserted)."""
 
-    def __init__(self, base: MapState, edited: MapState, claims: Claims = NO_CLAIMS, *, already_cut: bool = False):
-        self.base, self.edited = (base, edited) if already_cut else cut_alike(base, edited)
+    def __init__(self, base: MapState, edited: MapState, claims: Claims = NO_CLAIMS):
+        self._renewed = renewed_lanes(base, edited)
+        self.base, self.edited = cut_alike(base, edited, self._renewed)
+        if self.base is not base or self.edited is not edited:
+            self._renewed = renewed_lanes(self.base, self.edited)
         self.claims = claims
         self._moved: dict[int, tuple[bool, bool]] = {}
         self._moved_crossings: dict[int, bool] = {}
@@ -62,15 +65,18 @@ class Comparison:
 
     @cached_property
     def surviving_lanes(self) -> frozenset[int]:
-        return frozenset(self.base.lanes.keys() & self.edited.lanes.keys())
+        ids = self.survey.fact(lane_ids)
+        return ids.difference(self.deleted_lanes) if self.deleted_lanes else ids
 
     @cached_property
     def deleted_lanes(self) -> frozenset[int]:
+        if len(self.edited.lanes) - len(self.inserted_lanes) == len(self.base.lanes):
+            return frozenset()
         return frozenset(self.base.lanes.keys() - self.edited.lanes.keys())
 
     @cached_property
     def inserted_lanes(self) -> frozenset[int]:
-        return frozenset(self.edited.lanes.keys() - self.base.lanes.keys())
+        return frozenset(key for key in self._renewed if key not in self.base.lanes)
 
     @cached_property
     def surviving_crossings(self) -> frozenset[int]:
@@ -87,14 +93,13 @@ class Comparison:
     @cached_property
     def differing_lanes(self) -> tuple[int, ...]:
         """Surviving lanes that are not equal by value, ascending."""
-        base = self.base.lanes
-        return tuple(
-            sorted(
-                key
-                for key, lane in self.edited.lanes.items()
-                if (known := base.get(key)) is not None and known is not lane and known != lane
-            )
-        )
+        base, edited = self.base.lanes, self.edited.lanes
+        return tuple(sorted(key for key in self._renewed if key in base and base[key] != edited[key]))
+
+    @cached_property
+    def touched_crossings(self) -> frozenset[int]:
+        """Crossings of the edited map that are new or not equal to the base's."""
+        return self.inserted_crossings.union(self.differing_crossings)
 
     @cached_property
     def differing_crossings(self) -> tuple[int, ...]:
@@ -111,10 +116,7 @@ class Comparison:
     @cached_property
     def inverse(self) -> Comparison:
         """The same two maps, told the other way round."""
-        inverse = Comparison(self.edited, self.base, already_cut=True)
-        inverse.base_graph, inverse.edited_graph = self.edited_graph, self.base_graph
-        inverse._moved = self._moved
-        return inverse
+        return _Inverse(self)
 
     def moved_sides(self, lane: int) -> tuple[bool, bool]:
         """Whether the left and the right boundary of a surviving lane moved."""
@@ -228,6 +230,21 @@ class Comparison:
         if not readable_element(self.base.lanes[was[0]]) or not readable_element(self.edited.lanes[now[0]]):
             return False
         return distance_m(self.base_graph.location(was), self.edited_graph.location(now)) <= COINCIDENT_M
+
+
+class _Inverse(Comparison):
+    """A comparison told the other way round, from what is known of it already."""
+
+    def __init__(self, other: Comparison):
+        self.base, self.edited, self.claims = other.edited, other.base, NO_CLAIMS
+        self._renewed = sorted({*other.deleted_lanes, *other.differing_lanes})
+        self._moved = other._moved
+        self._moved_crossings = other._moved_crossings
+        self._polygons = {}
+        self._functions = {}
+        self.base_graph, self.edited_graph = other.edited_graph, other.base_graph
+        self.surviving_lanes = other.surviving_lanes
+        self.deleted_lanes, self.inserted_lanes = other.inserted_lanes, other.deleted_lanes
 
 
 def best_edge_distance_m(was: PedestrianCrossing, now: PedestrianCrossing) -> float:

@@ -19,15 +19,19 @@ from lanewright.core.series import Run
 from lanewright.core.survey import Survey, parts_recorded
 
 
-def cut_alike(base: MapState, edited: MapState) -> tuple[MapState, MapState]:
-    """Both maps with the cuts that the other one records; the very same objects where there are none."""
-    if base is edited:
-        return base, edited
+def cut_alike(base: MapState, edited: MapState, renewed: Iterable[int]) -> tuple[MapState, MapState]:
+    """Both maps with the cuts that the other one records; the very same objects where there are none.
+
+    ``renewed``: lanes of the edited map that are not the base's own objects; only they can be new parts.
+    """
     before = Survey.of(base).fact(parts_recorded)
-    # A part that the base does not have already can only be in a lane that is not the base's own object.
-    known = base.lanes
-    fresh = {key: lane for key, lane in edited.lanes.items() if lane.part_of is not None and known.get(key) is not lane}
-    after = parts_recorded(MapState(fresh)) if fresh else {}
+    after: dict[int, list[int]] = {}
+    for key in renewed:
+        whole = edited.lanes[key].part_of
+        if whole is not None:
+            after.setdefault(whole, []).append(key)
+    if not before and not after:
+        return base, edited
     return cut_like(base, edited, after), cut_like(edited, base, before)
 
 

@@ -114,10 +114,14 @@ class Linework:
         """Ids of readable lanes that may cover the same ground: boxes overlap, areas agree to some 15 %."""
         if not self._half:
             return ()
-        areas = np.abs(self.area_m2)
+        near = self._boxes.query(shapely.box(*bounds))
+        areas = np.abs(self.area_m2[near])
         alike = np.minimum(areas, area_m2) >= 0.85 * np.maximum(areas, area_m2)
-        apart = (self.bounds[:, :2] > bounds[2:]).any(axis=1) | (self.bounds[:, 2:] < bounds[:2]).any(axis=1)
-        return tuple(int(key) for key in self.ids[self.readable][alike & ~apart])
+        return tuple(int(key) for key in np.sort(self.ids[self.readable][near[alike]]))
+
+    @cached_property
+    def _boxes(self) -> shapely.STRtree:
+        return shapely.STRtree(shapely.box(*self.bounds.T))
 
 
 def _flat(lines: list[Line]) -> tuple[Counts, Floats]:

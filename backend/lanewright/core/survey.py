@@ -61,6 +61,23 @@ class Survey:
         return self.fact(_references)
 
 
+def lane_ids(state: MapState) -> frozenset[int]:
+    """The ids of all lanes."""
+    return frozenset(state.lanes)
+
+
+def renewed_lanes(base: MapState, edited: MapState) -> list[int]:
+    """Lanes of the edited map that are not the base's own objects: the only ones that can differ."""
+    if base is edited:
+        return []
+    known = Survey.of(base).fact(_lanes).get
+    return [key for key, lane in edited.lanes.items() if known(key) is not lane]
+
+
+def _lanes(state: MapState) -> dict[int, LaneSegment]:
+    return dict(state.lanes)
+
+
 def _linework(state: MapState) -> Linework:
     return Linework(state.lanes)
 

@@ -17,6 +17,8 @@ CODE = "deletion.not_rightmost"
 
 def find(comparison: Comparison) -> Iterator[Violation]:
     """Violations for each chain that was deleted on the left where the right was as possible."""
+    if not comparison.deleted_lanes:
+        return
     for chain, part in ambiguous_insertions(comparison.inverse):
         yield Violation(
             CODE,

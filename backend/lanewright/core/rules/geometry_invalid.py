@@ -26,15 +26,20 @@ def find(comparison: Comparison) -> Iterator[Violation]:
     """Violations for every element of the edited map that has a defect."""
     edited = comparison.edited
     touched = comparison.touched_lanes
-    known = [key for key in comparison.survey.fact(_doubtful_lanes) if key in edited.lanes and key not in touched]
+    known = [key for key in comparison.survey.fact(_defective_lanes) if key in edited.lanes and key not in touched]
     for key in (*comparison.touched_linework.doubtful(), *known):
         yield from _violation(comparison.base, edited.lanes[key], "Lane")
-    for crossing in edited.crossings.values():
-        yield from _violation(comparison.base, crossing, "Crossing")
+    crossings = comparison.touched_crossings.union(comparison.survey.fact(_defective_crossings))
+    for key in sorted(crossings & edited.crossings.keys()):
+        yield from _violation(comparison.base, edited.crossings[key], "Crossing")
 
 
-def _doubtful_lanes(state: MapState) -> tuple[int, ...]:
-    return Survey.of(state).linework.doubtful()
+def _defective_lanes(state: MapState) -> tuple[int, ...]:
+    return tuple(key for key in Survey.of(state).linework.doubtful() if defects_of(state.lanes[key]))
+
+
+def _defective_crossings(state: MapState) -> tuple[int, ...]:
+    return tuple(key for key, crossing in state.crossings.items() if defects_of(crossing))
 
 
 def _violation(base: MapState, element: Element, noun: str) -> Iterator[Violation]:
