@@ -1,0 +1,187 @@
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { sessionStore } from "../api/sessionStore";
+import { createEditor } from "../editor";
+import { readDraft, removeDraft } from "./browserStore";
+import { WorkSession } from "./workSession";
+
+const KEY = { account: 1, task: 12 };
+const NOTHING_KEPT = { serverVersion: 0, synced: true, sent: null, keptAt: null };
+
+const points = (y: number) => [0, 10].map((x) => ({ x, y, z: 0 }));
+const lane = {
+  id: 7,
+  is_intersection: false,
+  lane_type: "VEHICLE",
+  left_lane_boundary: points(3),
+  left_lane_mark_type: "NONE",
+  right_lane_boundary: points(0),
+  right_lane_mark_type: "NONE",
+  successors: [],
+  predecessors: [],
+  right_neighbor_id: null,
+  left_neighbor_id: null,
+};
+const repainted = { ...lane, left_lane_mark_type: "SOLID_WHITE" };
+const NO_FINDINGS = { changes: [], updates: [], violations: [] };
+
+interface Sent {
+  path: string;
+  body: Record<string, unknown>;
+}
+type Reply = () => [status: number, body: unknown];
+
+/** A server by its answers; what it was sent is noted. Every check finds nothing. */
+function serverWith(replies: Record<string, Reply>): Sent[] {
+  const sent: Sent[] = [];
+  vi.stubGlobal("fetch", async (request: Request) => {
+    const path = `${request.method} ${new URL(request.url).pathname.split("/").at(-1) ?? ""}`;
+    sent.push({ path, body: (await request.json()) as Record<string, unknown> });
+    const [status, body] = replies[path]?.() ?? [200, NO_FINDINGS];
+    if (status === 0) throw new TypeError("Failed to fetch");
+    return new Response(JSON.stringify(body), { status });
+  });
+  return sent;
+}
+
+function openWork(): WorkSession {
+  const map = { lanes: [{ version: 0, attributes: lane }], crossings: [] };
+  const editor = createEditor(
+    { task: { can_edit: true }, revision: 0, base: map, changed: { lanes: [], crossings: [] }, removed: [] },
+    () => Promise.reject(new Error("no ids are needed")),
+  );
+  const work = new WorkSession(KEY, editor, NOTHING_KEPT);
+  work.start();
+  return work;
+}
+
+const kept = (): [number, unknown] => [200, { version: 31, kept_at: "2026-01-01T00:00:00Z" }];
+const saved = (): [number, unknown] => [
+  201,
+  {
+    task_id: 12,
+    revision: 1,
+    created_at: "2026-01-01T00:00:00Z",
+    changed: { lanes: [{ version: 1, attributes: repainted }], crossings: [] },
+    removed: [],
+    restored: [],
+    findings: NO_FINDINGS,
+  },
+];
+const state = (work: WorkSession) => work.store.getState();
+
+let work: WorkSession;
+beforeEach(() => sessionStore.setState({ session: null }));
+afterEach(async () => {
+  work.end();
+  vi.unstubAllGlobals();
+  await removeDraft(KEY);
+});
+
+it("keeps an edit on this computer before the server has it, and then on the server", async () => {
+  const sent = serverWith({ "PUT draft": kept });
+  work = openWork();
+  work.editor.actions.setMark(7, "left", "SOLID_WHITE");
+  await vi.waitFor(async () => expect((await readDraft(KEY))?.edits).toHaveLength(1));
+  expect(sent.some(({ path }) => path === "PUT draft")).toBe(false);
+  expect(state(work)).toMatchObject({ edits: 1, keeping: { where: "computer" } });
+
+  await vi.waitFor(() => expect(state(work).keeping.where).toBe("server"), { timeout: 5_000 });
+  expect(sent.find(({ path }) => path === "PUT draft")?.body).toMatchObject({ base_revision: 0, version: 0 });
+  await vi.waitFor(async () =>
+    expect(await readDraft(KEY)).toMatchObject({ synced: true, serverVersion: 31 }),
+  );
+});
+
+it("clears the draft only after the server has answered the save", async () => {
+  let letGo = () => {};
+  const answered = new Promise<void>((resolve) => {
+    letGo = resolve;
+  });
+  serverWith({});
+  const fetchAtOnce = globalThis.fetch as unknown as (request: Request) => Promise<Response>;
+  vi.stubGlobal("fetch", async (request: Request) => {
+    if (!request.url.endsWith("/revisions")) return fetchAtOnce(request);
+    await answered;
+    const [status, body] = saved();
+    return new Response(JSON.stringify(body), { status });
+  });
+  work = openWork();
+  work.editor.actions.setMark(7, "left", "SOLID_WHITE");
+  const outcome = work.save();
+  await vi.waitFor(async () => expect((await readDraft(KEY))?.sent).not.toBeNull());
+  expect(state(work).saving).toBe("sending");
+  letGo();
+  expect((await outcome).kind).toBe("saved");
+  expect(await readDraft(KEY)).toBeNull();
+  expect(state(work)).toMatchObject({ edits: 0, revision: 1, keeping: { where: "nothing" } });
+});
+
+it("sends the very same changeset again until the server answers", async () => {
+  const answers: [number, unknown][] = [
+    [0, null],
+    [503, { message: "The database cannot be reached." }],
+    saved(),
+  ];
+  const sent = serverWith({ "POST revisions": () => answers.shift() ?? saved() });
+  work = openWork();
+  work.editor.actions.setMark(7, "left", "SOLID_WHITE");
+  const outcome = work.save();
+  await vi.waitFor(() => expect(state(work).saving).toBe("waiting"));
+  globalThis.dispatchEvent(new Event("online"));
+  await vi.waitFor(() => expect(sent.filter(({ path }) => path === "POST revisions")).toHaveLength(2));
+  await vi.waitFor(() => expect(state(work).saving).toBe("waiting"));
+  globalThis.dispatchEvent(new Event("online"));
+  expect((await outcome).kind).toBe("saved");
+  const saves = sent.filter(({ path }) => path === "POST revisions").map(({ body }) => body);
+  expect(saves).toHaveLength(3);
+  expect(saves[1]).toEqual(saves[0]);
+  expect(saves[2]).toEqual(saves[0]);
+});
+
+it("keeps the draft and shows the violations when the rules refuse the save", async () => {
+  const violation = { id: "link.gap:lane_segment:7", blocks: true, inherited: false };
+  serverWith({
+    "POST revisions": () => [
+      422,
+      {
+        code: "save.violations",
+        message: "1 error stops the save.",
+        mend: "",
+        facts: { violations: [violation] },
+      },
+    ],
+  });
+  work = openWork();
+  work.editor.actions.setMark(7, "left", "SOLID_WHITE");
+  expect((await work.save()).kind).toBe("violations");
+  expect(state(work).findings?.violations).toEqual([violation]);
+  expect(await readDraft(KEY)).toMatchObject({ sent: null, edits: [{ id: 7 }] });
+});
+
+it("keeps edits that are made while the save is under way as the next draft", async () => {
+  serverWith({ "POST revisions": saved, "PUT draft": kept });
+  work = openWork();
+  work.editor.actions.setMark(7, "left", "SOLID_WHITE");
+  const outcome = work.save();
+  work.editor.actions.setLaneType(7, "BUS");
+  await outcome;
+  expect(state(work)).toMatchObject({ edits: 1, revision: 1 });
+  expect(await readDraft(KEY)).toMatchObject({
+    baseRevision: 1,
+    edits: [{ attributes: { lane_type: "BUS" } }],
+  });
+});
+
+it("offers the newer draft that another computer kept instead of writing over it", async () => {
+  const newer = { base_revision: 0, edits: [], version: 40, kept_at: "2026-01-01T00:00:00Z" };
+  serverWith({
+    "PUT draft": () => [
+      409,
+      { code: "draft.newer", message: "There is a newer draft.", facts: { draft: newer } },
+    ],
+  });
+  work = openWork();
+  work.editor.actions.setMark(7, "left", "SOLID_WHITE");
+  await vi.waitFor(() => expect(state(work).newerDraft).toEqual(newer), { timeout: 5_000 });
+  expect(await readDraft(KEY)).toMatchObject({ edits: [{ id: 7 }] });
+});
