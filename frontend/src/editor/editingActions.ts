@@ -8,7 +8,7 @@ import type { ElementKind } from "./elements";
 import { lineOf } from "./lines";
 import type { Planned } from "./plan";
 import { distance } from "./polyline";
-import type { Stage } from "./stage";
+import { NO_IDS, type Stage } from "./stage";
 import type { EditorActions, Inserted, Outcome } from "./state";
 
 type EditingActions = Omit<
@@ -22,6 +22,7 @@ type EditingActions = Omit<
   | "cancel"
   | "say"
   | "applyEdits"
+  | "applyFix"
   | "loadDraft"
   | "netEdits"
   | "takeSnapshot"
@@ -29,9 +30,6 @@ type EditingActions = Omit<
   | "undo"
   | "redo"
 >;
-
-const NO_IDS =
-  "No new element can be made now: the server gave no ids. Try again when the connection is back.";
 
 export function editingActions(stage: Stage): EditingActions {
   const { store } = stage;

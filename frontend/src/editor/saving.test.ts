@@ -90,6 +90,24 @@ describe("a fix", () => {
     expect(editor.getState().current.lanes.get(12)).toEqual(imported(12));
   });
 
+  test("that inserts gets ids of this workspace, in its links too", async () => {
+    const editor = open();
+    const attributes = { ...imported(12), id: 999_999 };
+    await editor.actions.applyFix(
+      [
+        { operation: "delete", kind: "lane_segment", id: 12 },
+        { operation: "insert", kind: "lane_segment", id: 999_999, attributes },
+        { operation: "update", kind: "lane_segment", id: 1, attributes: { right_neighbor_id: 999_999 } },
+      ],
+      "Replaced lane 12",
+    );
+    const { current, base } = editor.getState();
+    const added = [...current.lanes.keys()].filter((id) => !base.lanes.has(id));
+    expect(added).toHaveLength(1);
+    expect(added[0]).not.toBe(999_999);
+    expect(current.lanes.get(1)?.right_neighbor_id).toBe(added[0]);
+  });
+
   test("with an unknown mark is refused whole", () => {
     const editor = open();
     const edits = [

@@ -2,16 +2,18 @@
 import { Adoption } from "./adoption";
 import { applyChanges, type Change, elementOf, type MapDocument } from "./document";
 import { changesOf, editsBetween } from "./edits";
+import { type KeyText, keyText } from "./elements";
 import { equalElements } from "./equality";
 import { Unreadable } from "./read";
-import type { Stage } from "./stage";
+import { renumbered, strangers } from "./renumber";
+import { NO_IDS, type Stage } from "./stage";
 import type { EditorActions, History } from "./state";
 import { storedMap } from "./storedMap";
 import type { ReceivedEdit } from "./wire";
 
 type SavingActions = Pick<
   EditorActions,
-  "applyEdits" | "loadDraft" | "netEdits" | "takeSnapshot" | "adoptSaved" | "undo" | "redo"
+  "applyEdits" | "applyFix" | "loadDraft" | "netEdits" | "takeSnapshot" | "adoptSaved" | "undo" | "redo"
 >;
 
 export function savingActions(stage: Stage): SavingActions {
@@ -19,12 +21,26 @@ export function savingActions(stage: Stage): SavingActions {
 
   const netEdits = () => editsBetween(stage.state.saved, stage.state.current);
 
+  const applyEdits: EditorActions["applyEdits"] = (edits, note) => {
+    const changes = readChanges(stage.state.current, edits);
+    if (typeof changes === "string")
+      return stage.refuse(`This fix does not fit the map any more: ${changes}.`);
+    return stage.run(() => ({ note, changes }));
+  };
+
   return {
-    applyEdits: (edits, note) => {
-      const changes = readChanges(stage.state.current, edits);
-      if (typeof changes === "string")
-        return stage.refuse(`This fix does not fit the map any more: ${changes}.`);
-      return stage.run(() => ({ note, changes }));
+    applyEdits,
+    applyFix: async (edits, note) => {
+      const { base, saved, current } = stage.state;
+      const ids = new Map<KeyText, number>();
+      try {
+        for (const key of strangers(edits, [base, saved, current])) {
+          ids.set(keyText(key), await stage.newId(key.kind));
+        }
+      } catch {
+        return stage.refuse(NO_IDS);
+      }
+      return applyEdits(renumbered(edits, ids), note);
     },
     loadDraft: (edits, history) => {
       const { saved } = stage.state;

@@ -7,6 +7,8 @@ import { lineOf } from "./lines";
 import { isRefusal, type Planned } from "./plan";
 import type { EditorState, Outcome, Selection } from "./state";
 
+export const NO_IDS =
+  "No new element can be made now: the server gave no ids. Try again when the connection is back.";
 const READ_ONLY = "This task is open for reading only.";
 
 export class Stage {

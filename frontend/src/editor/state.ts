@@ -129,7 +129,9 @@ export interface EditorActions {
   deleteElement(key: ElementKey): Outcome;
   /** The element as it was imported (a deleted one comes back, an inserted one goes). */
   revertElement(key: ElementKey): Outcome;
-  /** Applies the edits of a violation's fix, all or none, as one undo step. */
+  /** Applies the edits of a violation's fix as one undo step; what it inserts gets ids of this workspace. */
+  applyFix(edits: readonly ReceivedEdit[], note: string): Promise<Outcome>;
+  /** Applies edits as they are, all or none, as one undo step. */
   applyEdits(edits: readonly ReceivedEdit[], note: string): Outcome;
 
   /** Puts a kept draft onto the open revision; the history is taken over when it leads to the same map. */

@@ -59,7 +59,7 @@ export function useCommands(): Commands {
     };
     const applyFix = (violation: Violation, fix: number) => {
       const offered = violation.fixes[fix];
-      if (offered !== undefined) editor.actions.applyEdits(offered.edits, offered.title);
+      if (offered !== undefined) void editor.actions.applyFix(offered.edits, offered.title);
     };
     const applyFirstFix = () => {
       const first = violations.find(({ fixes }) => fixes.length > 0);
