@@ -6,14 +6,15 @@ The findings behind the rules of identity, as lanes and chains; the canonical fo
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from itertools import combinations, product
 
 import shapely
 
 from lanewright.core.comparison import COINCIDENT_M, Comparison, crossing_key, lane_key, same_crossing
-from lanewright.core.elements import Point
-from lanewright.core.geometry import distance_m, readable_element
+from lanewright.core.elements import LaneSegment, Point
+from lanewright.core.geometry import distance_m, moved, readable_element
+from lanewright.core.identity import joined
 from lanewright.core.lateral import lateral_group
 from lanewright.core.roadgraph import FINISH, START, Chain, Endpoint, Link
 
@@ -25,6 +26,47 @@ FAR_M = 3.0
 
 def coinciding_runs(comparison: Comparison) -> list[tuple[Chain, Chain]]:
     """Contiguous parts of a deleted and an inserted chain whose starts and ends coincide; only the largest."""
+    return _runs(comparison, coinciding_ends)
+
+
+def same_runs(comparison: Comparison) -> list[tuple[Chain, Chain]]:
+    """Contiguous parts of a deleted and an inserted chain that lie on the same lines, however they are cut."""
+    return [
+        (deleted, inserted)
+        for deleted, inserted in _runs(comparison, _same_corners)
+        if _unmoved(comparison, deleted, inserted)
+    ]
+
+
+def _unmoved(comparison: Comparison, deleted: Chain, inserted: Chain) -> bool:
+    was = joined([comparison.base.lanes[lane] for lane in deleted])
+    now = joined([comparison.edited.lanes[lane] for lane in inserted])
+    return not moved(was.left_boundary, now.left_boundary) and not moved(was.right_boundary, now.right_boundary)
+
+
+def _same_corners(comparison: Comparison, end: int) -> list[tuple[int, int]]:
+    """Pairs of a deleted and an inserted lane that start (finish) at the very same points, ascending."""
+    by_corner: dict[tuple[Point, Point], list[int]] = {}
+    for now in comparison.inserted_lanes:
+        by_corner.setdefault(_corners(comparison.edited.lanes[now], end), []).append(now)
+    return sorted(
+        (was, now)
+        for was in comparison.deleted_lanes
+        for now in by_corner.get(_corners(comparison.base.lanes[was], end), ())
+        if readable_element(comparison.base.lanes[was])
+    )
+
+
+def _corners(lane: LaneSegment, end: int) -> tuple[Point, Point]:
+    nowhere = (math.nan, math.nan, 0.0)
+    left, right = ((*line[-end][:2], 0.0) if line else nowhere for line in (lane.left_boundary, lane.right_boundary))
+    return left, right
+
+
+def _runs(
+    comparison: Comparison, ends: Callable[[Comparison, int], list[tuple[int, int]]]
+) -> list[tuple[Chain, Chain]]:
+    """The largest parts of a deleted and an inserted chain whose starts and finishes ``ends`` pairs up."""
     if not comparison.deleted_lanes or not comparison.inserted_lanes:
         return []
     deleted = _members(comparison.base_graph.chains(comparison.deleted_lanes))
@@ -32,7 +74,7 @@ def coinciding_runs(comparison: Comparison) -> list[tuple[Chain, Chain]]:
     starts: dict[tuple[Chain, Chain], list[Cell]] = {}
     finishes: dict[tuple[Chain, Chain], list[Cell]] = {}
     for end, found in ((START, starts), (FINISH, finishes)):
-        for was, now in coinciding_ends(comparison, end):
+        for was, now in ends(comparison, end):
             (one, i), (other, j) = deleted[was], inserted[now]
             found.setdefault((one, other), []).append((i, j))
     runs: list[tuple[Chain, Chain]] = []

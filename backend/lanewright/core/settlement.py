@@ -19,6 +19,7 @@ from lanewright.core.places import (
     exchanged_lanes,
     preserved_chains,
     rerouted_links,
+    same_runs,
     unjustified_crossings,
 )
 from lanewright.core.rightmost import ambiguous_insertions
@@ -35,6 +36,11 @@ def settle(assignment: Assignment) -> None:
         comparison = assignment.comparison()
         if not any(step(assignment, comparison) for step in _STEPS):
             return
+
+
+def _match_same_lines(assignment: Assignment, comparison: Comparison) -> bool:
+    """Runs on the same lines are the same lanes, however they are cut."""
+    return _match(assignment, comparison, same_runs(comparison))
 
 
 def _part_displaced(assignment: Assignment, comparison: Comparison) -> bool:
@@ -242,6 +248,7 @@ def _ends_beside(state: MapState, one: LaneSegment, other: LaneSegment) -> bool:
 
 
 _STEPS = (
+    _match_same_lines,
     _part_displaced,
     _part_rerouted,
     _uncross,
