@@ -85,7 +85,7 @@ TRANSITIONS: tuple[Transition, ...] = (
 
 @dataclass(frozen=True, slots=True)
 class Standing:
-    """Who the actor is to the task: role, whether its assignee, whether they saved a changeset in it or submitted it."""
+    """Who the actor is to the task: role, whether its assignee, whether they saved or submitted in it."""
 
     role: Role
     is_assignee: bool
