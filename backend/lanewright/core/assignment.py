@@ -6,6 +6,7 @@ depends on the ids the edited map happens to have.
 
 from __future__ import annotations
 
+import copy
 import dataclasses
 from collections.abc import Collection, Iterable, Sequence
 from itertools import count
@@ -79,6 +80,31 @@ class Assignment:
         assignment.lanes |= same_lanes(*assignment.unmatched_lanes())
         assignment.crossings |= same_crossings(*assignment.unmatched_crossings())
         return assignment
+
+    def copied(self) -> Assignment:
+        """An assignment to try something on."""
+        other = copy.copy(self)
+        other.lanes, other.crossings = dict(self.lanes), dict(self.crossings)
+        other.parts, other.banned = dict(self.parts), set(self.banned)
+        return other
+
+    def part(self, lanes: Iterable[int]) -> bool:
+        """Take matches back and forbid them; whether there were any."""
+        tokens = self.tokens
+        parted = False
+        for lane in lanes:
+            if lane in self.parts:
+                whole = self.parts[lane]
+                siblings = [token for token, of in self.parts.items() if of == whole]
+                self.banned.update((token, whole) for token in siblings)
+                for token in siblings:
+                    del self.parts[token]
+                parted = True
+            elif lane in tokens and tokens[lane] != lane:
+                self.banned.add((tokens[lane], lane))
+                del self.lanes[tokens[lane]]
+                parted = True
+        return parted
 
     def unmatched_lanes(self) -> tuple[dict[int, LaneSegment], dict[int, LaneSegment]]:
         """Base lanes and edited lanes that have no counterpart yet."""

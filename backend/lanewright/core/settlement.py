@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Collection, Iterable
-from itertools import combinations, pairwise
+from collections.abc import Iterable
+from itertools import pairwise
 
-from lanewright.core.alignment import Alignment, align, displacement_m
+from lanewright.core.alignment import Alignment, align
 from lanewright.core.assignment import Assignment
 from lanewright.core.comparison import Comparison, crossing_key
 from lanewright.core.elements import LaneSegment, MapState
@@ -22,12 +21,12 @@ from lanewright.core.places import (
     same_runs,
     unjustified_crossings,
 )
+from lanewright.core.replacement import replaced_lanes
 from lanewright.core.rightmost import ambiguous_insertions
 from lanewright.core.roadgraph import FINISH, START, Chain
 
 _MOST_STEPS = 400
 """A settled map takes a few steps per update; the bound only guards against maps made to have no end."""
-_FEW = 10
 
 
 def settle(assignment: Assignment) -> None:
@@ -45,7 +44,7 @@ def _match_same_lines(assignment: Assignment, comparison: Comparison) -> bool:
 
 def _part_displaced(assignment: Assignment, comparison: Comparison) -> bool:
     """Lanes and crossings that are matched too far away are parted."""
-    parted = _part(assignment, displaced_lanes(comparison))
+    parted = assignment.part(displaced_lanes(comparison))
     tokens = {matched: token for token, matched in assignment.crossings.items() if token != matched}
     for crossing in displaced_crossings(comparison):
         if crossing in tokens:
@@ -60,58 +59,7 @@ def _part_rerouted(assignment: Assignment, comparison: Comparison) -> bool:
     links = rerouted_links(comparison)
     free = {lane for link in links for lane in link if assignment.is_free([lane])}
     links = [link for link in links if not free.isdisjoint(link)]
-    return bool(links) and _part(assignment, fewest_replaced(comparison, links, free))
-
-
-def _part(assignment: Assignment, lanes: Iterable[int]) -> bool:
-    """Take matches back and forbid them; whether there were any."""
-    tokens = assignment.tokens
-    parted = False
-    for lane in lanes:
-        if lane in assignment.parts:
-            whole = assignment.parts[lane]
-            siblings = [token for token, of in assignment.parts.items() if of == whole]
-            assignment.banned.update((token, whole) for token in siblings)
-            for token in siblings:
-                del assignment.parts[token]
-            parted = True
-        elif lane in tokens and tokens[lane] != lane:
-            assignment.banned.add((tokens[lane], lane))
-            del assignment.lanes[tokens[lane]]
-            parted = True
-    return parted
-
-
-def fewest_replaced(
-    comparison: Comparison, links: Collection[tuple[int, int]], free: Collection[int]
-) -> tuple[int, ...]:
-    """The fewest of the free lanes that touch all re-routed links; among equals the one inside the intersection, then
-    the one that moved most, then the downstream one (spec §5)."""
-    candidates = sorted(free, key=lambda lane: _preference(comparison, links, lane))
-    if len(candidates) <= _FEW:
-        for count in range(1, len(candidates) + 1):
-            for chosen in combinations(candidates, count):
-                if all(link[0] in chosen or link[1] in chosen for link in links):
-                    return chosen
-    chosen_lanes: list[int] = []
-    left = list(links)
-    while left:
-        weight = Counter(lane for link in left for lane in set(link) if lane in free)
-        best = min(weight, key=lambda lane: (-weight[lane], *_preference(comparison, links, lane)))
-        chosen_lanes.append(best)
-        left = [link for link in left if best not in link]
-    return tuple(chosen_lanes)
-
-
-def _preference(comparison: Comparison, links: Collection[tuple[int, int]], lane: int) -> tuple[bool, float, bool, int]:
-    was, now = comparison.base.lanes[lane], comparison.edited.lanes[lane]
-    moved = displacement_m(was, now) if readable_element(was) and readable_element(now) else 0.0
-    return (
-        not now.is_intersection,
-        -round(moved, 6),
-        not any(link[1] == lane for link in links),
-        lane,
-    )
+    return bool(links) and assignment.part(replaced_lanes(assignment, comparison, links))
 
 
 def _uncross(assignment: Assignment, comparison: Comparison) -> bool:
@@ -172,7 +120,7 @@ def _part_anchors(assignment: Assignment, comparison: Comparison) -> bool:
         for was, now, end in ((deleted[0], inserted[0], START), (deleted[-1], inserted[-1], FINISH)):
             before = comparison.base_graph.anchors((was, end), survivors)
             after = comparison.edited_graph.anchors((now, end), survivors)
-            if before != after and _part(assignment, sorted({lane for lane, _ in before & after})):
+            if before != after and assignment.part(sorted({lane for lane, _ in before & after})):
                 return True
     return False
 
