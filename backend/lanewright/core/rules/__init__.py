@@ -62,10 +62,8 @@ def check(base: MapState, edited: MapState, claims: Claims = NO_CLAIMS) -> tuple
 def check_of(comparison: Comparison) -> tuple[Violation, ...]:
     """``check`` of maps that are compared already."""
     found = findings(comparison)
-    fixes = FixTrial(comparison, found, findings)
-    return tuple(
-        dataclasses.replace(violation, fixes=fixes.of(violation, _RULE[violation.code])) for violation in found
-    )
+    fixes = FixTrial(comparison, found, _RULE, findings)
+    return tuple(dataclasses.replace(violation, fixes=fixes.of(violation)) for violation in found)
 
 
 def findings(comparison: Comparison) -> tuple[Violation, ...]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 
 from lanewright.core.comparison import Comparison
 from lanewright.core.edits import Edit, edits_between
@@ -13,44 +14,73 @@ _MOST_TRIALS = 24
 Findings = Callable[[Comparison], tuple[Violation, ...]]
 
 
+@dataclass(frozen=True, slots=True)
+class _Verdict:
+    """A remedy, and what is left after it."""
+
+    remedy: Remedy
+    left: tuple[Violation, ...]
+    edits: tuple[Edit, ...]
+
+
 class FixTrial:
     """Fixes for the violations of one comparison; each remedied map is judged once, however many it mends."""
 
-    def __init__(self, comparison: Comparison, found: tuple[Violation, ...], findings: Findings):
+    def __init__(
+        self, comparison: Comparison, found: tuple[Violation, ...], rules: Mapping[str, Rule], findings: Findings
+    ):
         self._comparison = comparison
+        self._rules = rules
         self._findings = findings
         self._known = {violation.id for violation in found if not violation.inherited}
-        self._judged: dict[int, tuple[Remedy, frozenset[str], bool, tuple[Edit, ...]]] = {}
+        self._judged: dict[int, _Verdict] = {}
+        self._remedies: list[Remedy] = []
+        self._trials = 0
 
-    def of(self, violation: Violation, rule: Rule) -> tuple[Fix, ...]:
+    def of(self, violation: Violation) -> tuple[Fix, ...]:
         """The first remedy that removes the violation and adds none; failing that, the first that removes it.
 
         In a map with very many violations the first remedy is offered untried: trying all would take too long.
         """
         second: tuple[Fix, ...] = ()
-        for remedy in rule.remedies(self._comparison, violation):
-            if len(self._judged) >= _MOST_TRIALS and id(remedy) not in self._judged:
+        for remedy in self._rules[violation.code].remedies(self._comparison, violation):
+            if self._trials >= _MOST_TRIALS and id(remedy) not in self._judged:
                 return second or (Fix(remedy.title, edits_between(self._comparison.edited, remedy.edited)),)
-            left, adds_none, edits = self._judge(remedy)
-            if violation.id in left:
+            verdict = self._judge(remedy)
+            if any(other.id == violation.id for other in verdict.left):
                 continue
-            fix = Fix(remedy.title, edits)
-            if adds_none:
+            fix = Fix(verdict.remedy.title, verdict.edits)
+            if not self._added(verdict.left):
                 return (fix,)
             second = second or (fix,)
         return second
 
-    def _judge(self, remedy: Remedy) -> tuple[frozenset[str], bool, tuple[Edit, ...]]:
-        """What is left after the remedy, whether all of that was there before, and the remedy as edits."""
+    def _added(self, left: tuple[Violation, ...]) -> list[Violation]:
+        return [violation for violation in left if not violation.inherited and violation.id not in self._known]
+
+    def _judge(self, remedy: Remedy) -> _Verdict:
+        """The remedy, completed where it lays bare another defect, and what is left after it."""
         if id(remedy) not in self._judged:
-            comparison = self._comparison
-            left = self._findings(Comparison(comparison.base, remedy.edited, comparison.claims))
-            adds_none = all(violation.inherited or violation.id in self._known for violation in left)
-            # The remedy is kept beside its verdict, so that no other can have its identity.
-            self._judged[id(remedy)] = (
-                remedy,
-                frozenset(violation.id for violation in left),
-                adds_none,
-                edits_between(comparison.edited, remedy.edited),
-            )
-        return self._judged[id(remedy)][1:]
+            completed, left = self._completed(remedy, self._left_after(remedy))
+            edits = edits_between(self._comparison.edited, completed.edited)
+            self._judged[id(remedy)] = _Verdict(completed, left, edits)
+            # Kept, so that no other remedy can have its identity.
+            self._remedies.append(remedy)
+        return self._judged[id(remedy)]
+
+    def _left_after(self, remedy: Remedy) -> tuple[Violation, ...]:
+        self._trials += 1
+        return self._findings(Comparison(self._comparison.base, remedy.edited, self._comparison.claims))
+
+    def _completed(self, remedy: Remedy, left: tuple[Violation, ...]) -> tuple[Remedy, tuple[Violation, ...]]:
+        """A remedy together with those of what it lays bare, as far as each leaves less to do than before."""
+        while (added := self._added(left)) and self._trials < _MOST_TRIALS:
+            comparison = Comparison(self._comparison.base, remedy.edited, self._comparison.claims)
+            for further in self._rules[added[0].code].remedies(comparison, added[0]):
+                after = self._left_after(further)
+                if len(self._added(after)) < len(added):
+                    remedy, left = Remedy(f"{remedy.title}; {further.title.lower()}", further.edited), after
+                    break
+            else:
+                break
+        return remedy, left
