@@ -35,6 +35,7 @@ export {
 } from "./marks";
 export { centreOf, laneLength, laneWidth, measuresOf, widthAt } from "./measure";
 export { elementsAt } from "./picking";
+export { boxOf } from "./polygon";
 export { centreline } from "./polyline";
 export { besideTarget, previewOf } from "./preview";
 export { type Catch, snap, snapToLaneEnd } from "./snapping";

@@ -1,5 +1,15 @@
 import { type PointerEvent, useEffect, useRef } from "react";
-import { centreOf, isSide, type LineName, lineNames, lineOf, type MapElement, together } from "../editor";
+import {
+  boxOf,
+  centreOf,
+  isSide,
+  type LineName,
+  lineNames,
+  lineOf,
+  type MapElement,
+  ringOf,
+  together,
+} from "../editor";
 import { dragElement, dragNewVertex, dragVertex } from "./dragging";
 import { useEditorState, useOverlay, useShownElement, useViewport } from "./useOverlay";
 import type { Pixel } from "./viewport";
@@ -11,7 +21,9 @@ const NAMES: Readonly<Record<LineName, string>> = {
   edge2: "Second edge",
 };
 /** Handles nearer to each other than this are left out; keys still reach their vertices. */
-const CROWDED_PIXELS = 9;
+const CROWDED_PIXELS = 13;
+/** An element smaller than this on the screen has no room for the handle that moves all of it. */
+const ROOM_FOR_MOVE_PIXELS = 90;
 const ROOM_FOR_MIDPOINT_PIXELS = 34;
 
 /** The handles of the selected element: its vertices, places for new ones, and one to move all of it. */
@@ -182,6 +194,8 @@ function NewVertexHandle({ element, name, index, at }: NewVertexProperties) {
 function MoveHandle({ element }: { element: MapElement }) {
   const viewport = useViewport();
   const overlay = useOverlay();
+  const [west, south, east, north] = boxOf(ringOf(element).map((place) => viewport.toPixel(place)));
+  if (Math.max(east - west, north - south) < ROOM_FOR_MOVE_PIXELS) return null;
   const centre = centreOf(element);
   const at = viewport.toPixel(centre);
   return (

@@ -16,6 +16,7 @@ export function follow(
   click: () => void = () => undefined,
 ): void {
   const { viewport, region } = controller;
+  region.focus({ preventScroll: true }); // keys that follow are meant for what was pressed
   let moving = false;
   const pixelOf = (event: PointerEvent): Pixel => {
     const box = region.getBoundingClientRect();
