@@ -7,7 +7,9 @@ export const theme = createTheme({
   cursorType: "pointer",
   components: {
     // Locking the page's scroll injects a <style>, which the Content-Security-Policy refuses; no page scrolls anyway.
-    Modal: Modal.extend({ defaultProps: { lockScroll: false, centered: true } }),
+    Modal: Modal.extend({
+      defaultProps: { lockScroll: false, centered: true, closeButtonProps: { "aria-label": "Close" } },
+    }),
     Drawer: { defaultProps: { lockScroll: false } },
     Tooltip: Tooltip.extend({ defaultProps: { openDelay: 400, withArrow: false } }),
     Button: { defaultProps: { size: "xs" } },

@@ -35,7 +35,9 @@ export function PeoplePage() {
               <th>Role</th>
               <th>Since</th>
               <th>State</th>
-              <th />
+              <th>
+                <span className="visually-hidden">Actions</span>
+              </th>
             </tr>
           </thead>
           <tbody>

@@ -37,7 +37,9 @@ export function Tokens() {
               <th>May</th>
               <th>Expires</th>
               <th>Last used</th>
-              <th />
+              <th>
+                <span className="visually-hidden">Actions</span>
+              </th>
             </tr>
           </thead>
           <tbody>

@@ -25,7 +25,9 @@ export function Resizer({ name, label, initial, min, max, side }: ResizerPropert
   const set = (wanted: number) => setWidth(Math.round(Math.min(max, Math.max(min, wanted))));
 
   useLayoutEffect(() => {
-    handle.current?.parentElement?.style.setProperty(`--${name}-width`, `${width}px`);
+    handle.current
+      ?.closest<HTMLElement>("[data-workspace]")
+      ?.style.setProperty(`--${name}-width`, `${width}px`);
   }, [name, width]);
 
   const drag = (event: PointerEvent<HTMLDivElement>) => {
@@ -42,6 +44,7 @@ export function Resizer({ name, label, initial, min, max, side }: ResizerPropert
     <div
       ref={handle}
       className={classes.resizer}
+      data-side={side}
       role="separator"
       aria-orientation="vertical"
       aria-label={label}

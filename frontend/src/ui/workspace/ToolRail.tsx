@@ -30,31 +30,33 @@ export function ToolRail() {
   const { editor, mapRef, work } = useWorkspace();
   const current = useEditor((state) => state.tool);
   return (
-    <div className={classes.rail} role="toolbar" aria-label="Tools" aria-orientation="vertical">
-      {TOOLS.map(({ tool, command, icon: Icon }) => {
-        const { label, words } = bindingOf(command);
-        if (work === null && tool !== "select") return null;
-        return (
-          <Tooltip key={tool} label={`${words} (${label})`} position="right">
-            <button
-              type="button"
-              className={classes.tool}
-              aria-label={words}
-              aria-pressed={current === tool}
-              aria-keyshortcuts={label}
-              onClick={() => {
-                editor.actions.setTool(tool);
-                mapRef.current?.focus();
-              }}
-            >
-              <Icon size={19} />
-              <span className={classes.toolKey} aria-hidden="true">
-                {label}
-              </span>
-            </button>
-          </Tooltip>
-        );
-      })}
-    </div>
+    <aside className={classes.rail} aria-label="Tools">
+      <div className={classes.tools} role="toolbar" aria-label="Tools" aria-orientation="vertical">
+        {TOOLS.map(({ tool, command, icon: Icon }) => {
+          const { label, words } = bindingOf(command);
+          if (work === null && tool !== "select") return null;
+          return (
+            <Tooltip key={tool} label={`${words} (${label})`} position="right">
+              <button
+                type="button"
+                className={classes.tool}
+                aria-label={words}
+                aria-pressed={current === tool}
+                aria-keyshortcuts={label}
+                onClick={() => {
+                  editor.actions.setTool(tool);
+                  mapRef.current?.focus();
+                }}
+              >
+                <Icon size={19} />
+                <span className={classes.toolKey} aria-hidden="true">
+                  {label}
+                </span>
+              </button>
+            </Tooltip>
+          );
+        })}
+      </div>
+    </aside>
   );
 }

@@ -29,6 +29,7 @@ export function WorkHeader({ commands }: { commands: Commands }) {
         <span className={classes.brandName}>Lanewright</span>
         <img className={classes.brandMark} src="/favicon.svg" width={22} height={22} alt="Lanewright" />
       </Link>
+      <h1 className="visually-hidden">Task {task.id}</h1>
       <span className={classes.crumbs}>
         {task.city} / {task.release_split} / <strong title={task.log_id}>{shortLogName(task.log_id)}</strong>
       </span>

@@ -10,7 +10,6 @@ import { Inspector } from "./inspector/Inspector";
 import { KeysSheet } from "./KeysSheet";
 import { LeftPanel } from "./left/LeftPanel";
 import { MapArea } from "./MapArea";
-import { Resizer } from "./Resizer";
 import { SentBack } from "./SentBack";
 import { StaleDialog } from "./StaleDialog";
 import { ToolRail } from "./ToolRail";
@@ -76,35 +75,11 @@ function Screen({ banner }: { banner: ReactNode }) {
       <WorkHeader commands={commands} />
       {banner}
       <SentBack />
-      <div className={classes.body} data-inspector={inspectorShown || undefined}>
+      <div className={classes.body} data-workspace data-inspector={inspectorShown || undefined}>
         <ToolRail />
-        {leftShown && (
-          <>
-            <LeftPanel commands={commands} />
-            <Resizer
-              name="left"
-              label="Width of the lists"
-              initial={globalThis.innerWidth > 1100 ? 290 : 240}
-              min={220}
-              max={480}
-              side="left"
-            />
-          </>
-        )}
+        {leftShown && <LeftPanel commands={commands} />}
         <MapArea commands={commands} />
-        {inspectorShown && (
-          <>
-            <Resizer
-              name="inspector"
-              label="Width of the inspector"
-              initial={300}
-              min={240}
-              max={440}
-              side="right"
-            />
-            <Inspector />
-          </>
-        )}
+        {inspectorShown && <Inspector />}
       </div>
       <KeysSheet />
       <StaleDialog />

@@ -1,6 +1,7 @@
 import { elementOf, keyText, type MapElement } from "../../../editor";
 import { KIND_WORDS } from "../../parts/words";
 import { useEditor, useScreen, useWorkspace } from "../context";
+import { Resizer } from "../Resizer";
 import { Attribution } from "./Attribution";
 import { CrossingInspector } from "./CrossingInspector";
 import { ElementActions } from "./ElementActions";
@@ -26,11 +27,21 @@ export function Inspector() {
   const shown = now ?? base;
   return (
     <aside className={classes.inspector} aria-label="Inspector">
-      {shown === null ? (
-        <NothingSelected />
-      ) : (
-        <Selected key={keyText(shown)} now={now} base={base} shown={shown} />
-      )}
+      <Resizer
+        name="inspector"
+        label="Width of the inspector"
+        initial={300}
+        min={240}
+        max={440}
+        side="right"
+      />
+      <div className={classes.content}>
+        {shown === null ? (
+          <NothingSelected />
+        ) : (
+          <Selected key={keyText(shown)} now={now} base={base} shown={shown} />
+        )}
+      </div>
     </aside>
   );
 }

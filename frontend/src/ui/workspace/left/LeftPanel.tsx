@@ -1,6 +1,7 @@
 import { Tabs } from "@mantine/core";
 import type { ReactNode } from "react";
 import { type LeftTab, useScreen, useWorkspace } from "../context";
+import { Resizer } from "../Resizer";
 import type { Commands } from "../useCommands";
 import { useFindings } from "../useFindings";
 import { ChangesTab } from "./ChangesTab";
@@ -17,6 +18,7 @@ export function LeftPanel({ commands }: { commands: Commands }) {
   const errors = issues.some((violation) => violation.blocks);
   return (
     <aside className={classes.panel} aria-label="Lists">
+      <h2 className="visually-hidden">Changes, issues and history</h2>
       <Tabs
         value={tab}
         onChange={(value) => value !== null && screen.setState({ tab: value as LeftTab })}
@@ -50,6 +52,14 @@ export function LeftPanel({ commands }: { commands: Commands }) {
           <FindTab commands={commands} />
         </Tabs.Panel>
       </Tabs>
+      <Resizer
+        name="left"
+        label="Width of the lists"
+        initial={globalThis.innerWidth > 1100 ? 290 : 240}
+        min={220}
+        max={480}
+        side="left"
+      />
     </aside>
   );
 }
