@@ -1,5 +1,4 @@
 import { Button } from "@mantine/core";
-import { useHotkeys } from "@mantine/hooks";
 import { useQueryClient } from "@tanstack/react-query";
 import { useState } from "react";
 import { writeRemarks } from "../../work/browserStore";
@@ -10,6 +9,7 @@ import { useSession } from "../useSession";
 import { useScreen, useWorkspace } from "./context";
 import { ReopenDialog } from "./ReopenDialog";
 import { useRemarks } from "./useRemarks";
+import { useReviewKeys } from "./useReviewKeys";
 
 /** What a reviewer, or an admin of an accepted task, may do with the revision on the screen. */
 export function Decisions() {
@@ -37,10 +37,7 @@ export function Decisions() {
       .then(() => decided("accepted"), tellProblem)
       .finally(() => setBusy(false));
   };
-  useHotkeys([
-    ["G", () => judging && dialog === null && acceptIt()],
-    ["B", () => judging && setDialog("send_back")],
-  ]);
+  useReviewKeys(judging && dialog === null, acceptIt, () => setDialog("send_back"));
   return (
     <>
       {judging && (
