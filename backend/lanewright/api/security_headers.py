@@ -9,8 +9,7 @@ CONTENT_SECURITY_POLICY = "; ".join(
     (
         "default-src 'self'",
         "script-src 'self'",
-        # Mantine writes its theme as <style>; scripts have no such exception.
-        "style-src 'self' 'unsafe-inline'",
+        "style-src 'self'",
         "img-src 'self' blob: data:",
         "worker-src 'self' blob:",
         "object-src 'none'",
