@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from worlds import REAL_MAPS, REAL_MAPS_MISSING, real_map
+from tests.core.worlds import REAL_MAPS, REAL_MAPS_MISSING, real_map
 
 from lanewright.core.elements import MapState
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from hypothesis import strategies as st
-from street_maps import random_map
+from tests.core.street_maps import random_map
 
 from lanewright.core.elements import MapState
 

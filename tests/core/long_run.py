@@ -1,6 +1,6 @@
 """Many examples of "one explanation" and fix closure, outside the ordinary tests; resumable.
 
-``python tests/core/long_run.py RESULTS.txt 10000`` appends a line per example and goes on where the file ends.
+``python -m tests.core.long_run RESULTS.txt 10000`` appends a line per example and goes on where the file ends.
 """
 
 from __future__ import annotations
@@ -9,9 +9,9 @@ import sys
 from pathlib import Path
 from random import Random
 
-from street_maps import random_map
-from test_properties import fixes_close, one_explanation
-from worlds import REAL_MAPS, real_map
+from tests.core.street_maps import random_map
+from tests.core.test_properties import fixes_close, one_explanation
+from tests.core.worlds import REAL_MAPS, real_map
 
 EVERY_REAL = 8
 """Every eighth example is on a real map, the others on procedural ones."""

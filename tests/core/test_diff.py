@@ -6,7 +6,7 @@ import dataclasses
 
 from hypothesis import given
 from hypothesis import strategies as st
-from worlds import crossing, lane, line, scenario, straight, street, world
+from tests.core.worlds import crossing, lane, line, scenario, straight, street, world
 
 from lanewright.core.diff import diff, invert
 from lanewright.core.elements import LaneType, Mark

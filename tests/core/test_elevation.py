@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 
-from worlds import line, straight, world
+from tests.core.worlds import line, straight, world
 
 from lanewright.core.elevation import fill_elevation
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from worlds import scenario, scenario_names
+from tests.core.worlds import scenario, scenario_names
 
 from lanewright.core.diff import diff, invert
 from lanewright.core.edits import apply_edits

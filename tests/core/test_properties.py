@@ -6,10 +6,10 @@ from collections import Counter
 from random import Random
 
 import pytest
-from grid import maps
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from rewriting import EDITS, REWRITES, several
+from tests.core.grid import maps
+from tests.core.rewriting import EDITS, REWRITES, several
 
 from lanewright.core.canonical import canonicalise
 from lanewright.core.comparison import Comparison

@@ -5,11 +5,11 @@ from __future__ import annotations
 from random import Random
 
 import pytest
-from grid import maps
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from rewriting import EDITS, REWRITES, several
-from worlds import scenario, scenario_names
+from tests.core.grid import maps
+from tests.core.rewriting import EDITS, REWRITES, several
+from tests.core.worlds import scenario, scenario_names
 
 from lanewright.core.diff import diff, invert
 from lanewright.core.replay import replayed

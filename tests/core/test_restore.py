@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 
 import pytest
-from worlds import REAL_MAPS, REAL_MAPS_MISSING, crossing, line, real_map, scenario, straight, street, world
+from tests.core.worlds import REAL_MAPS, REAL_MAPS_MISSING, crossing, line, real_map, scenario, straight, street, world
 
 from lanewright.core.diff import diff
 from lanewright.core.restore import restore

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from worlds import lane, scenario, straight, street, world
+from tests.core.worlds import lane, scenario, straight, street, world
 
 from lanewright.core.elements import LaneType
 from lanewright.core.lateral import lateral_group

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 
-from worlds import line, scenario, straight, world
+from tests.core.worlds import line, scenario, straight, world
 
 from lanewright.core.changes import Direction
 from lanewright.core.diff import diff

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from small_drive import LOG_ID, pose_columns, sweep_columns, write_feather
+from tests.sensors.small_drive import LOG_ID, pose_columns, sweep_columns, write_feather
 
 
 @pytest.fixture

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 import shapely
 from PIL import Image
-from small_drive import PAINT_Y, pose_columns, write_feather
+from tests.sensors.small_drive import PAINT_Y, pose_columns, write_feather
 
 from lanewright.core.errors import InvalidInput
 from lanewright.formats.av2_log import open_log

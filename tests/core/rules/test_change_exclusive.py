@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from worlds import street
+from tests.core.worlds import street
 
 from lanewright.core.changes import AtomicChange, Category
 from lanewright.core.claims import Claims

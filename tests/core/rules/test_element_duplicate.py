@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 
-from findings import introduced, mended, only
-from worlds import crossing, lane, straight, world
+from tests.core.findings import introduced, mended, only
+from tests.core.worlds import crossing, lane, straight, world
 
 from lanewright.core.elements import LaneType
 from lanewright.core.rules import check

@@ -6,8 +6,8 @@ import dataclasses
 import math
 
 import pytest
-from findings import introduced, only
-from worlds import crossing, lane, line, straight, street, world
+from tests.core.findings import introduced, only
+from tests.core.worlds import crossing, lane, line, straight, street, world
 
 from lanewright.core.rules import check
 

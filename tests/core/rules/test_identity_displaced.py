@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from findings import introduced, mended, only
-from worlds import crossing, scenario, straight, world
+from tests.core.findings import introduced, mended, only
+from tests.core.worlds import crossing, scenario, straight, world
 
 from lanewright.core.diff import diff
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from findings import introduced
-from worlds import scenario, straight, world
+from tests.core.findings import introduced
+from tests.core.worlds import scenario, straight, world
 
 from lanewright.core.canonical import canonicalise
 from lanewright.core.diff import diff

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 
-from findings import introduced, mended, only
-from worlds import scenario, straight, street, world
+from tests.core.findings import introduced, mended, only
+from tests.core.worlds import scenario, straight, street, world
 
 from lanewright.core.diff import diff
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from worlds import straight, world
+from tests.core.worlds import straight, world
 
 from lanewright.core.claims import Claims
 from lanewright.core.edits import apply_edits

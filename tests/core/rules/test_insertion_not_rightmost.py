@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from findings import introduced, mended, only
-from worlds import scenario
+from tests.core.findings import introduced, mended, only
+from tests.core.worlds import scenario
 
 from lanewright.core.diff import diff
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 
-from findings import introduced, mended, only
-from worlds import straight, street, world
+from tests.core.findings import introduced, mended, only
+from tests.core.worlds import straight, street, world
 
 CODE = "link.dangling"
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 
-from worlds import scenario
+from tests.core.worlds import scenario
 
 from lanewright.core.claims import Claims, DeclaredMacros
 from lanewright.core.diff import diff

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 
-from findings import introduced, mended, only
-from worlds import lane, line, straight, world
+from tests.core.findings import introduced, mended, only
+from tests.core.worlds import lane, line, straight, world
 
 from lanewright.core.elements import Mark
 from lanewright.core.rules import check

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 
-from findings import introduced, mended, only
-from worlds import crossing, lane, scenario, straight, street, world
+from tests.core.findings import introduced, mended, only
+from tests.core.worlds import crossing, lane, scenario, straight, street, world
 
 from lanewright.core.diff import diff
 from lanewright.core.identity import renamed, with_lanes_exchanged
