@@ -9,7 +9,7 @@ import type { WorkKey } from "./browserStore";
 import { Checker, staleBase } from "./checker";
 import { DraftKeeper, type KeptSoFar } from "./draftKeeper";
 import { newUuid } from "./uuid";
-import type { WorkState } from "./workState";
+import { countEdits, type WorkState } from "./workState";
 
 export type SaveOutcome =
   | { kind: "saved"; saved: SavedRevision }
@@ -41,7 +41,7 @@ export class WorkSession {
   ) {
     const edits = editor.actions.netEdits();
     this.store = createStore<WorkState>(() => ({
-      edits: edits.length,
+      edits: countEdits(edits),
       revision: editor.getState().savedRevision,
       keeping:
         edits.length === 0
@@ -67,7 +67,7 @@ export class WorkSession {
     this.unsubscribe = this.editor.subscribe((state, before) => {
       if (state.current === before.current || state.saved !== before.saved) return;
       const edits = this.editor.actions.netEdits();
-      this.store.setState({ edits: edits.length });
+      this.store.setState({ edits: countEdits(edits) });
       this.keeper.note(edits);
       this.checker.note(edits);
     });
@@ -155,7 +155,7 @@ export class WorkSession {
   private async adopt(saved: SavedRevision, snapshot: SaveSnapshot): Promise<void> {
     this.editor.actions.adoptSaved(saved, snapshot);
     const edits = this.editor.actions.netEdits();
-    this.store.setState({ edits: edits.length, revision: saved.revision, stale: null });
+    this.store.setState({ edits: countEdits(edits), revision: saved.revision, stale: null });
     if (edits.length === 0) {
       this.checker.stop();
       this.store.setState({ findings: saved.findings, checking: false, checkProblem: null });

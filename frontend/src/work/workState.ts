@@ -1,6 +1,7 @@
 /** What the workspace knows of its work: how much is unsaved, where it is kept, and what the server says of it. */
 import type { Problem } from "../api/problem";
 import type { ConflictingElement, Draft, Findings } from "../api/types";
+import type { Edit } from "../editor";
 
 /** Where the unsaved work is kept. */
 export type Keeping =
@@ -24,7 +25,7 @@ export interface StaleBase {
 }
 
 export interface WorkState {
-  /** Net edits since the open revision. */
+  /** Elements edited since the open revision, as `countEdits` counts. */
   edits: number;
   revision: number;
   keeping: Keeping;
@@ -41,6 +42,15 @@ export interface WorkState {
   /** Another tab of this browser took the task over; this one does not edit any more. */
   elsewhere: boolean;
 }
+
+const FOLLOWS = new Set(["successors", "predecessors", "left_neighbor_id", "right_neighbor_id"]);
+
+/** How many elements an annotator would say were edited: those whose links alone follow another's edit do not count. */
+export const countEdits = (edits: readonly Edit[]): number =>
+  edits.filter(
+    ({ operation, attributes }) =>
+      operation !== "update" || Object.keys(attributes).some((name) => !FOLLOWS.has(name)),
+  ).length || edits.length;
 
 export const blockingErrors = (findings: Findings | null): number =>
   findings?.violations.filter((violation) => violation.blocks).length ?? 0;

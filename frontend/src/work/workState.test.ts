@@ -1,0 +1,24 @@
+import { expect, test } from "vitest";
+import { countEdits } from "./workState";
+
+test("a lane drawn between two others counts once, though their links follow", () => {
+  const links = { successors: [7] };
+  expect(
+    countEdits([
+      { operation: "update", kind: "lane_segment", id: 1, attributes: links },
+      {
+        operation: "update",
+        kind: "lane_segment",
+        id: 2,
+        attributes: { predecessors: [7], right_neighbor_id: 7 },
+      },
+      { operation: "insert", kind: "lane_segment", id: 7, attributes: links },
+    ]),
+  ).toBe(1);
+});
+
+test("links alone are still something to save", () => {
+  expect(
+    countEdits([{ operation: "update", kind: "lane_segment", id: 1, attributes: { successors: [] } }]),
+  ).toBe(1);
+});
