@@ -96,7 +96,7 @@ def _by_what_changed() -> list[Figure]:
         {
             "small": lambda: _saved(*pairs["small"]),
             "large": lambda: _saved(*pairs["large"]),
-            "full": lambda: _told(pairs["large"][0], copy),
+            "full": lambda: _told(MapState.of(pairs["large"][0]), MapState.of(copy)),  # nothing known of either
         }
     )
     return [
