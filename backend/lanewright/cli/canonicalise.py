@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from lanewright.cli.two_maps import BaseFile, EditedFile, read_two_maps
+from lanewright.core.elements import ElementKind
 from lanewright.core.errors import InvalidInput, Place
+
+if TYPE_CHECKING:
+    from lanewright.core.canonical import Canonical
 
 app = typer.Typer()
 
@@ -27,14 +32,24 @@ def canonicalise(
     maps = read_two_maps(base, edited)
 
     from lanewright.core.canonical import canonical_form
-    from lanewright.core.rules.remedy import title_of
 
     canonical = canonical_form(maps.base.state, maps.edited.state)
     _write(out, maps.edited.render(canonical.edited))
     if canonical.edited == maps.edited.state:
         typer.echo(f"{out}: canonical already, written as it was.")
     else:
-        typer.echo(f"{out}: {title_of(canonical)}.")
+        typer.echo("\n".join([f"{out}:", *_told(canonical)]))
+
+
+def _told(canonical: Canonical) -> Iterator[str]:
+    """What became of which element, a line each."""
+    for (kind, before), after in sorted(canonical.renamed.items()):
+        noun = "lane" if kind is ElementKind.LANE_SEGMENT else "crossing"
+        yield f"  {noun} {before} becomes {noun} {after}"
+    for lane in canonical.joined:
+        yield f"  lane {lane} is joined to the lane before or after it"
+    for lane in canonical.cut:
+        yield f"  lane {lane} is cut"
 
 
 def _write(path: Path, data: bytes) -> None:
