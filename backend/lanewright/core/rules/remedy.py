@@ -7,7 +7,7 @@ from weakref import WeakKeyDictionary
 
 from lanewright.core.canonical import Canonical, canonical_form
 from lanewright.core.comparison import Comparison
-from lanewright.core.elements import ElementKey, ElementKind
+from lanewright.core.elements import ElementKey, ElementKind, MapState
 from lanewright.core.macros import update_groups
 from lanewright.core.rules.link_one_sided import with_links_completed
 from lanewright.core.rules.rule import Remedy
@@ -38,8 +38,17 @@ def _canonical_remedy(comparison: Comparison, group: Group) -> Remedy:
     if group not in known:
         canonical = canonical_form(comparison.base, comparison.edited, group)
         edited = with_links_completed(comparison.base, canonical.edited)
-        known[group] = Remedy(title_of(canonical), edited)
+        known[group] = Remedy(_button(canonical, comparison.base), edited)
     return known[group]
+
+
+def _button(canonical: Canonical, base: MapState) -> str:
+    """The title of the fix; in an annotator's words where one element gets the id of the one it replaced."""
+    if len(canonical.renamed) == 1 and not canonical.joined and not canonical.cut:
+        ((key, new),) = canonical.renamed.items()
+        if ElementKey(key.kind, new) in base:
+            return f"Make it an edit of {_NOUNS[key.kind]} {new}"
+    return title_of(canonical)
 
 
 def title_of(canonical: Canonical) -> str:
