@@ -21,8 +21,9 @@ from psycopg.types.json import Jsonb
 
 from lanewright.api.routes.workspace import open_workspace
 from lanewright.cluster import PrivateCluster
+from lanewright.core.changes import Direction
 from lanewright.core.edits import Edit, Operation, edits_between
-from lanewright.core.workflow import Direction, Role
+from lanewright.core.workflow import Role
 from lanewright.db.engine import engine_for, transaction
 from lanewright.db.migration import migrate
 from lanewright.db.models import Account, Task

@@ -17,7 +17,8 @@ PASSWORD = "correct horse battery"
 PREPARE = f"""
 from pathlib import Path
 from lanewright.cli.connection import database
-from lanewright.core.workflow import Direction, Role
+from lanewright.core.changes import Direction
+from lanewright.core.workflow import Role
 from lanewright.db.engine import transaction
 from lanewright.formats.splits import SourceSplits, Split
 from lanewright.services import accounts

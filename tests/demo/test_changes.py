@@ -10,12 +10,11 @@ import pytest
 import shapely
 from pyarrow import feather
 
-from lanewright.core.changes import Category
+from lanewright.core.changes import Category, Direction
 from lanewright.core.diff import diff
 from lanewright.core.elements import ElementKind, MapState, PedestrianCrossing
 from lanewright.core.rules import check
 from lanewright.core.violations import Severity
-from lanewright.core.workflow import Direction
 from lanewright.demo import DemoLog, demo_maps
 
 Update = tuple[MapState, MapState]

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
+from lanewright.core.changes import Direction
 from lanewright.core.errors import InvalidInput
-from lanewright.core.workflow import Direction
 from lanewright.formats.splits import Assignment, SourceSplits, Split, read_splits
 
 SPLITS = SourceSplits({"old": Split.TRAIN, "stale": Split.VAL, "secret": Split.TEST})

@@ -15,8 +15,9 @@ import pytest
 from sqlalchemy.orm import Session
 from tests.stored_logs import change_task
 
+from lanewright.core.changes import Direction
 from lanewright.core.elements import MapState, Mark
-from lanewright.core.workflow import Direction, Role
+from lanewright.core.workflow import Role
 from lanewright.db.models import Account, Task
 from lanewright.formats.splits import SourceSplits, Split
 from lanewright.services import sessions, tasks

@@ -16,8 +16,8 @@ from tests.api.desk import table_counts
 from tests.services.log_folder import LOG_ID, map_path, write_log, write_map
 from tests.stored_logs import lane, small_map
 
+from lanewright.core.changes import Direction
 from lanewright.core.errors import Conflict, InvalidInput
-from lanewright.core.workflow import Direction
 from lanewright.db.models import Log
 from lanewright.db.repositories import elements, logs
 from lanewright.formats.av2_map import parse_map

@@ -13,9 +13,10 @@ from bench.legal_edits import legally_edited
 from sqlalchemy import select
 from sqlalchemy.orm import Session
 
+from lanewright.core.changes import Direction
 from lanewright.core.edits import Edit, Operation, apply_edits, edits_between
 from lanewright.core.elements import Element, ElementKey, LaneSegment, Line, MapState
-from lanewright.core.workflow import Direction, Role
+from lanewright.core.workflow import Role
 from lanewright.db.models import Account, Log, Task
 from lanewright.db.repositories import elements
 from lanewright.formats.av2_map import parse_map

@@ -16,8 +16,8 @@ from rich.table import Table
 
 from lanewright.cli.connection import database
 from lanewright.cli.failure import kept_trace
+from lanewright.core.changes import Direction
 from lanewright.core.errors import LanewrightError
-from lanewright.core.workflow import Direction
 from lanewright.db.engine import transaction
 from lanewright.formats.splits import SourceSplits, Split, read_splits
 from lanewright.services.importing import Placing, find_logs, import_log

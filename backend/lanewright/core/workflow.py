@@ -14,13 +14,6 @@ class Role(StrEnum):
     ADMIN = "admin"
 
 
-class Direction(StrEnum):
-    """Which way a task edits: from the stale prior to the current world, or the other way (spec §3)."""
-
-    PRIOR_TO_CURRENT = "prior_to_current"
-    CURRENT_TO_PRIOR = "current_to_prior"
-
-
 class TaskState(StrEnum):
     DRAFT = "draft"
     SUBMITTED = "submitted"

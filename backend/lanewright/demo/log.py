@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
+from lanewright.core.changes import Direction
 from lanewright.core.elements import Line, MapState
-from lanewright.core.workflow import Direction
 from lanewright.demo.assembly import Names, assemble
 from lanewright.demo.crop import crop
 from lanewright.demo.drive import Poses, drive, route

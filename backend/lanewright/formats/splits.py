@@ -13,8 +13,8 @@ from enum import StrEnum
 from pathlib import Path
 from types import MappingProxyType
 
+from lanewright.core.changes import Direction
 from lanewright.core.errors import InvalidInput, Place
-from lanewright.core.workflow import Direction
 from lanewright.formats.json_document import Limits, parse_json
 from lanewright.formats.untrusted_file import MEBIBYTE, read_bytes
 

@@ -17,11 +17,11 @@ import orjson
 from sqlalchemy.orm import Session
 
 from lanewright import __version__
+from lanewright.core.changes import Direction
 from lanewright.core.diff import diff, invert
 from lanewright.core.elements import MapState
 from lanewright.core.errors import NotFound
 from lanewright.core.report import diff_document
-from lanewright.core.workflow import Direction
 from lanewright.db.models import Log
 from lanewright.db.repositories import elements, logs, releases, revisions
 from lanewright.db.repositories.releases import Release

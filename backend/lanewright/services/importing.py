@@ -14,8 +14,8 @@ import orjson
 from sqlalchemy import func, select
 from sqlalchemy.orm import Session
 
+from lanewright.core.changes import Direction
 from lanewright.core.errors import Conflict, InvalidInput, Place
-from lanewright.core.workflow import Direction
 from lanewright.db.models import Log
 from lanewright.db.repositories import logs
 from lanewright.formats.av2_log import open_log

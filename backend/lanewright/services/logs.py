@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from sqlalchemy.orm import Session
 
+from lanewright.core.changes import Direction
 from lanewright.core.errors import NotFound
-from lanewright.core.workflow import Direction
 from lanewright.db.repositories import logs
 from lanewright.services.actor import Actor
 from lanewright.services.importing import LIDAR_IMAGE

@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 
 from sqlalchemy.orm import Session
 
-from lanewright.core.changes import Category
+from lanewright.core.changes import Category, Direction
 from lanewright.core.errors import Conflict, InvalidInput, NotFound, Place
-from lanewright.core.workflow import EDITABLE_STATES, Action, Direction, Role, Standing, TaskState, allowed_actions
+from lanewright.core.workflow import EDITABLE_STATES, Action, Role, Standing, TaskState, allowed_actions
 from lanewright.db.models import Account, Log, Task, TaskEvent
 from lanewright.db.repositories import accounts, revisions, tasks
 from lanewright.db.repositories.tasks import TaskFigures, TaskFilter

@@ -692,7 +692,7 @@ export interface components {
         };
         /**
          * Direction
-         * @description Which way a task edits: from the stale prior to the current world, or the other way (spec §3).
+         * @description Which way a task runs (spec §3): whether its base map is the prior or the current one.
          * @enum {string}
          */
         Direction: "prior_to_current" | "current_to_prior";

@@ -5,7 +5,7 @@ from __future__ import annotations
 import datetime
 
 from lanewright.api.schemas.base import Outgoing
-from lanewright.core.workflow import Direction
+from lanewright.core.changes import Direction
 
 
 class LogOut(Outgoing):

@@ -9,9 +9,9 @@ from pydantic import Field
 from lanewright.api.schemas.accounts import PersonOut
 from lanewright.api.schemas.base import Identifier, Incoming, Outgoing, RevisionNumber, RowId, Text
 from lanewright.api.schemas.elements import EditIn, EditOut, ElementKeyOut, MapOut
-from lanewright.core.changes import Category
+from lanewright.core.changes import Category, Direction
 from lanewright.core.elements import ElementKind
-from lanewright.core.workflow import Action, Direction, TaskState
+from lanewright.core.workflow import Action, TaskState
 
 
 class TaskOut(Outgoing):

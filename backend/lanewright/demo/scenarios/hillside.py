@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from lanewright.core.changes import Direction
 from lanewright.core.elements import LaneType, Mark
-from lanewright.core.workflow import Direction
 from lanewright.demo.path import Bend, Path, crossing_path, curve
 from lanewright.demo.plan import Block, CrossSection, Junction, Plan, Road, Slot, Turn, Zebra, Zone
 from lanewright.demo.scenarios.scenario import LEAD_M, Scenario, about, every, half

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from lanewright.core.changes import Direction
 from lanewright.core.elements import LaneType, Mark
-from lanewright.core.workflow import Direction
 from lanewright.demo.plan import Half, Plan, Slot, Turn
 
 
