@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 import subprocess
@@ -15,7 +14,6 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, Playwright, sync_playwright
 
-REPOSITORY = Path(__file__).resolve().parents[2]
 LANEWRIGHT = Path(sys.executable).with_name("lanewright")
 CHROMIUM_FLAGS = [
     "--use-angle=swiftshader",
@@ -79,13 +77,14 @@ def server() -> Iterator[LiveServer]:
             shutil.rmtree(home, ignore_errors=True)
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def playwright() -> Iterator[Playwright]:
+    """Not for the whole run: its event loop would be in the way of tests that start one of their own."""
     with sync_playwright() as running:
         yield running
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def chromium(playwright: Playwright) -> Iterator[Browser]:
     """Debian's Chromium with a software GPU, the same pixels everywhere."""
     with playwright.chromium.launch(executable_path=chromium_path(), args=CHROMIUM_FLAGS) as browser:
@@ -125,6 +124,10 @@ def sign_in(page: Page, name: str, password: str = "lanewright-demo") -> None:
     page.get_by_role("navigation").wait_for()
 
 
-def manifest_of(folder: Path) -> dict[str, object]:
-    """The manifest of an unpacked export."""
-    return json.loads((folder / "manifest.json").read_text())
+def sign_in_again(page: Page, name: str) -> None:
+    """Signs in unless the profile still holds the session: a killed browser may not have written its cookies."""
+    page.goto("/")
+    form = page.get_by_role("button", name="Sign in", exact=True)
+    form.or_(page.get_by_role("navigation")).first.wait_for()
+    if form.is_visible():
+        sign_in(page, name)

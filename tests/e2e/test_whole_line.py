@@ -15,7 +15,7 @@ from typing import Any
 import httpx
 import pytest
 from playwright.sync_api import Page, Playwright, expect
-from tests.e2e.conftest import CHROMIUM_FLAGS, LiveServer, chromium_path, sign_in
+from tests.e2e.conftest import CHROMIUM_FLAGS, LiveServer, chromium_path, sign_in, sign_in_again
 from tests.e2e.profile import Profile
 from tests.e2e.scene import Scene, choose
 from tests.e2e.workspace import Workspace
@@ -79,8 +79,7 @@ def test_the_whole_line(
 
     profile.kill()
     page = profile.start()
-    if page.get_by_role("button", name="Sign in").count():
-        sign_in(page, "annotator")
+    sign_in_again(page, "annotator")
     work = Workspace(page, task).open()
     expect(work.saving).to_contain_text(re.compile(r"\d+ changes since revision 0"))
     assert work.wait_for_draft()["edits"] == draft["edits"]

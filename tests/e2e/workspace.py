@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import TimeoutError as PlaywrightTimeout
 
 Place = tuple[float, float]
 EDGES = {"lane_segment": ("left", "right"), "pedestrian_crossing": ("edge1", "edge2")}
@@ -47,7 +48,11 @@ class Workspace:
 
     def settle(self) -> None:
         """Waits until the map has drawn everything."""
-        self.page.locator('[data-map-state="idle"]').wait_for(timeout=120_000)
+        try:
+            self.page.locator('[data-map-state="idle"]').wait_for(timeout=120_000)
+        except PlaywrightTimeout as error:
+            said = self.page.locator("body").inner_text()
+            raise AssertionError(f"The map of task {self.task} does not come to rest; the page says: {said}") from error
 
     def read(self) -> dict[str, Any]:
         """The workspace as the server tells it, with the asker's own draft."""
