@@ -1,4 +1,4 @@
-"""The one strict translation between elements and AV2 attribute dictionaries (the 11 keys of a lane, 3 of a crossing).
+"""The one strict translation between elements and AV2 attributes (11 of a lane, 3 of a crossing), and our ``part_of``.
 
 Readers of files, the API and fixes all pass here, so bad input gets the same clear words everywhere.
 Source: AV2 ``log_map_archive`` JSON, shared/reference/data-and-metrics §1.1.
@@ -52,7 +52,7 @@ OPTIONAL_FIELDS: Mapping[ElementKind, Mapping[str, str]] = {
     ElementKind.LANE_SEGMENT: {"part_of": "part_of"},
     ElementKind.PEDESTRIAN_CROSSING: {},
 }
-"""Attributes that AV2 does not have: absent where unset, so a file without them stays as it is."""
+"""Attributes that AV2 does not have: absent (or null) where unset, so a file without them stays as it is."""
 
 
 def _bad(key: str, problem: str, mend: str) -> InvalidInput:
@@ -177,7 +177,7 @@ def parse_attributes(kind: ElementKind, attributes: Mapping[str, Any], *, drawn:
 
 
 def parse_element(kind: ElementKind, attributes: Mapping[str, Any], *, drawn: bool = False) -> Element:
-    """A whole element from its AV2 attributes; keys beyond AV2's own are ignored here (the file template keeps them).
+    """A whole element from its attributes; unknown keys are ignored here (the file template keeps them).
 
     Raises:
         InvalidInput: names the key (missing or wrong) and the mend; the caller completes file and element.
@@ -186,7 +186,8 @@ def parse_element(kind: ElementKind, attributes: Mapping[str, Any], *, drawn: bo
     missing = [name for name in fields if name not in attributes]
     if missing:
         raise _bad(missing[0], "is missing", f"A {kind.value} needs {', '.join(fields)}.")
-    parsed = parse_attributes(kind, {name: attributes[name] for name in fields}, drawn=drawn)
+    known = [*fields, *(name for name in OPTIONAL_FIELDS[kind] if name in attributes)]
+    parsed = parse_attributes(kind, {name: attributes[name] for name in known}, drawn=drawn)
     return LaneSegment(**parsed) if kind is ElementKind.LANE_SEGMENT else PedestrianCrossing(**parsed)
 
 

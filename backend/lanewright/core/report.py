@@ -7,8 +7,9 @@ from dataclasses import asdict
 from typing import Any
 
 from lanewright.core.changes import AtomicChange, MapDiff, StructuralUpdate
+from lanewright.core.claims import DeclaredMacros
 from lanewright.core.edits import Edit
-from lanewright.core.violations import Violation
+from lanewright.core.violations import Fix, Violation
 
 
 def diff_document(changes: MapDiff) -> dict[str, Any]:
@@ -53,10 +54,24 @@ def violation_document(violation: Violation) -> dict[str, Any]:
         "kind": violation.kind.value,
         "elements": sorted(violation.elements),
         "message": violation.message,
-        "fixes": [
-            {"title": fix.title, "edits": [edit_document(edit) for edit in fix.edits]} for fix in violation.fixes
-        ],
+        "fixes": [_fix_document(fix) for fix in violation.fixes],
         "inherited": violation.inherited,
+    }
+
+
+def _fix_document(fix: Fix) -> dict[str, Any]:
+    """One fix; ``declarations`` only where the fix is about them."""
+    document: dict[str, Any] = {"title": fix.title, "edits": [edit_document(edit) for edit in fix.edits]}
+    if fix.declared is not None:
+        document["declarations"] = [declaration_document(declared) for declared in fix.declared]
+    return document
+
+
+def declaration_document(declared: DeclaredMacros) -> dict[str, Any]:
+    """Macros declared for an update."""
+    return {
+        "elements": [{"kind": key.kind.value, "id": key.id} for key in declared.elements],
+        "macros": asdict(declared.macros),
     }
 
 

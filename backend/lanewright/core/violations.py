@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from lanewright.core.claims import DeclaredMacros
 from lanewright.core.edits import Edit
 from lanewright.core.elements import ElementKind
 
@@ -18,10 +19,14 @@ class Severity(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """A remedy: edits that can be applied to the edited map as they stand."""
+    """A remedy: edits that can be applied to the edited map as they stand.
+
+    ``declared``: all declarations as they should be, where these are what is wrong; else None.
+    """
 
     title: str
     edits: tuple[Edit, ...]
+    declared: tuple[DeclaredMacros, ...] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,7 @@ from lanewright.core.changes import Macros, StructuralUpdate
 from lanewright.core.claims import DeclaredMacros
 from lanewright.core.comparison import Comparison
 from lanewright.core.diff import diff_of
+from lanewright.core.elements import ElementKey
 from lanewright.core.rules.rule import Remedy, Rule
 from lanewright.core.violations import Severity, Violation
 from lanewright.core.wording import listed
@@ -18,15 +19,17 @@ _NONE = Macros(shape=False, appearance=False, function=False, lane_graph=False, 
 
 
 def find(comparison: Comparison) -> Iterator[Violation]:
-    """Violations for each declaration that the update it is about does not bear out."""
+    """A violation for each update (or what is none any more) that its declarations do not describe."""
     if not comparison.claims.declared:
         return
     updates = diff_of(comparison).updates
+    told: set[tuple[ElementKey, ...]] = set()
     for declared in comparison.claims.declared:
         derived = _update_of(declared, updates)
         words = _difference(declared.macros, derived.macros if derived else _NONE)
-        if words:
-            elements = (derived or declared).elements
+        elements = (derived or declared).elements
+        if words and elements not in told:
+            told.add(elements)
             kind = min(elements).kind
             yield Violation(
                 CODE,
@@ -58,8 +61,16 @@ def _difference(declared: Macros, derived: Macros) -> str:
 
 
 def remedies(comparison: Comparison, _violation: Violation) -> Iterator[Remedy]:
-    """The map is right; the declaration gives way to the derived macros."""
-    yield Remedy("Declare the derived macros", comparison.edited)
+    """The map is right; declarations give way to the derived macros, and go where there is no update any more."""
+    updates = diff_of(comparison).updates
+    derived: dict[DeclaredMacros, None] = {}
+    for declared in comparison.claims.declared:
+        update = _update_of(declared, updates)
+        if update is None:
+            continue
+        fits = declared.macros == update.macros
+        derived[declared if fits else DeclaredMacros(update.elements, update.macros)] = None
+    yield Remedy("Declare the derived macros", comparison.edited, tuple(derived))
 
 
 RULE = Rule(

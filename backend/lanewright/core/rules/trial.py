@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
@@ -45,11 +46,12 @@ class FixTrial:
         second: tuple[Fix, ...] = ()
         for remedy in self._rules[violation.code].remedies(self._comparison, violation):
             if self._trials >= _MOST_TRIALS and id(remedy) not in self._judged:
-                return second or (Fix(remedy.title, edits_between(self._comparison.edited, remedy.edited)),)
+                edits = edits_between(self._comparison.edited, remedy.edited)
+                return second or (Fix(remedy.title, edits, remedy.declared),)
             verdict = self._judge(remedy)
             if any(other.id == violation.id for other in verdict.left):
                 continue
-            fix = Fix(verdict.remedy.title, verdict.edits)
+            fix = Fix(verdict.remedy.title, verdict.edits, verdict.remedy.declared)
             if not self._added(verdict.left):
                 return (fix,)
             second = second or (fix,)
@@ -70,16 +72,23 @@ class FixTrial:
 
     def _left_after(self, remedy: Remedy) -> tuple[Violation, ...]:
         self._trials += 1
-        return self._findings(Comparison(self._comparison.base, remedy.edited, self._comparison.claims))
+        return self._findings(self._after(remedy))
+
+    def _after(self, remedy: Remedy) -> Comparison:
+        claims = self._comparison.claims
+        if remedy.declared is not None:
+            claims = dataclasses.replace(claims, declared=remedy.declared)
+        return Comparison(self._comparison.base, remedy.edited, claims)
 
     def _completed(self, remedy: Remedy, left: tuple[Violation, ...]) -> tuple[Remedy, tuple[Violation, ...]]:
         """A remedy together with those of what it lays bare, as far as each leaves less to do than before."""
         while (added := self._added(left)) and self._trials < _MOST_TRIALS:
-            comparison = Comparison(self._comparison.base, remedy.edited, self._comparison.claims)
+            comparison = self._after(remedy)
             for further in self._rules[added[0].code].remedies(comparison, added[0]):
                 after = self._left_after(further)
                 if len(self._added(after)) < len(added):
-                    remedy, left = Remedy(f"{remedy.title}; {further.title.lower()}", further.edited), after
+                    title = f"{remedy.title}; {further.title.lower()}"
+                    remedy, left = Remedy(title, further.edited, further.declared or remedy.declared), after
                     break
             else:
                 break
