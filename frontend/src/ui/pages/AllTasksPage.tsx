@@ -85,7 +85,11 @@ export function AllTasksPage() {
       {tasks.isError && <ProblemNotice error={tasks.error} onRetry={() => void tasks.refetch()} />}
       {tasks.data && tasks.data.items.length > 0 && (
         <>
-          <TaskTable tasks={tasks.data.items} withAssignee {...(admin && { ticked, onTick: setTicked })} />
+          <TaskTable
+            tasks={tasks.data.items}
+            withAssignee
+            {...(admin && { ticks: { ticked, onTick: setTicked } })}
+          />
           <Pages filter={filter} total={tasks.data.total} pageSize={PAGE_SIZE} noun="task" />
         </>
       )}

@@ -61,7 +61,7 @@ export function LogsPage() {
       {logs.isError && <ProblemNotice error={logs.error} onRetry={() => void logs.refetch()} />}
       {logs.data && logs.data.items.length > 0 && (
         <>
-          <LogTable logs={logs.data.items} {...(admin && { ticked, onTick: setTicked })} />
+          <LogTable logs={logs.data.items} {...(admin && { ticks: { ticked, onTick: setTicked } })} />
           <Pages filter={filter} total={logs.data.total} pageSize={PAGE_SIZE} noun="log" />
         </>
       )}

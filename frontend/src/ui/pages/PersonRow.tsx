@@ -3,7 +3,7 @@ import { useState } from "react";
 import { type AccountChange, changeAccount } from "../../api/accounts";
 import type { Account, Role } from "../../api/types";
 import { Badge } from "../parts/Badge";
-import { ROLE_WORDS } from "../parts/words";
+import { day, ROLE_WORDS } from "../parts/words";
 import { tellProblem } from "../shell/tell";
 import { useSession } from "../useSession";
 
@@ -41,7 +41,7 @@ export function PersonRow({ account, onChanged, onReset }: PersonRowProperties) 
           onChange={(role) => role !== null && change({ role: role as Role })}
         />
       </td>
-      <td>{new Date(account.created_at).toLocaleDateString()}</td>
+      <td>{day(account.created_at)}</td>
       <td>{disabled ? <Badge tone="error">disabled</Badge> : <Badge tone="ok">active</Badge>}</td>
       <td>
         <Group gap={8} justify="flex-end" wrap="nowrap">

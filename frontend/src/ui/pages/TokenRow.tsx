@@ -3,7 +3,7 @@ import { useState } from "react";
 import { revokeToken } from "../../api/tokens";
 import type { Token } from "../../api/types";
 import { useNow } from "../parts/useNow";
-import { ago } from "../parts/words";
+import { ago, day } from "../parts/words";
 import { tellProblem } from "../shell/tell";
 import { scopeWords } from "./scopes";
 
@@ -21,7 +21,7 @@ export function TokenRow({ token, onRevoked }: { token: Token; onRevoked: () => 
     <tr>
       <td>{token.name}</td>
       <td>{scopeWords(token.scopes)}</td>
-      <td>{expired ? "expired" : new Date(token.expires_at).toLocaleDateString()}</td>
+      <td>{expired ? "expired" : day(token.expires_at)}</td>
       <td>{token.last_used_at === null ? "never" : ago(token.last_used_at, now)}</td>
       <td>
         {token.revoked_at !== null ? (

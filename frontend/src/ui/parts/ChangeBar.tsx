@@ -10,14 +10,20 @@ export function changeCounts(changes: Partial<Record<Category, number>>): string
   return parts.length === 0 ? "no change" : parts.join(", ");
 }
 
-/** How a task's changes divide over the categories. */
+/** How many elements of a task changed, and how the changes divide over the categories. */
 export function ChangeBar({ task }: { task: Pick<Task, "changes" | "changed_elements"> }) {
   const words = `${counted(task.changed_elements, "changed element")}: ${changeCounts(task.changes)}`;
   return (
-    <span className={classes.bar} role="img" aria-label={words} title={words}>
-      {COUNTED_CATEGORIES.map((name) => (
-        <span key={name} style={{ flexGrow: task.changes[name] ?? 0, background: `var(--change-${name})` }} />
-      ))}
+    <span className={classes.changes} role="img" aria-label={words} title={words}>
+      <span className={classes.count}>{task.changed_elements}</span>
+      <span className={classes.bar}>
+        {COUNTED_CATEGORIES.map((name) => (
+          <span
+            key={name}
+            style={{ flexGrow: task.changes[name] ?? 0, background: `var(--change-${name})` }}
+          />
+        ))}
+      </span>
     </span>
   );
 }

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { ago, duration, shortLogName } from "./words";
+import { ago, day, duration, shortLogName } from "./words";
 
 it("names logs so that they can be told apart at a glance", () => {
   expect(shortLogName("7fab2350-7eaf-3b7e-a39d-6937a4c1bede")).toBe("7fab2350");
@@ -14,4 +14,8 @@ it("says how long ago something was", () => {
   expect(ago(now - 3_600_000, now)).toBe("1 h ago");
   expect(duration(4 * 24 * 3600)).toBe("4 d");
   expect(ago(now + 60_000, now)).toBe("just now");
+});
+
+it("writes days the same in every country", () => {
+  expect(day("2026-03-09T12:00:00Z")).toBe("2026-03-09");
 });

@@ -83,3 +83,8 @@ export function ago(instant: string | number, now: number): string {
   const seconds = (now - new Date(instant).getTime()) / 1000;
   return seconds < 5 ? "just now" : `${duration(seconds)} ago`;
 }
+
+/** "2026-11-22": the day of an instant, the same in every country. */
+export function day(instant: string): string {
+  return new Date(instant).toLocaleDateString("en-CA");
+}

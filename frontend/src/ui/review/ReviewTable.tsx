@@ -29,7 +29,6 @@ export function ReviewTable({ tasks, chosen, onChoose, onOpen }: ReviewTableProp
           <th>Split</th>
           <th>Waiting</th>
           <th>Changes</th>
-          <th className={pages.number}>#</th>
           <th>Author</th>
           <th>State</th>
         </tr>
@@ -54,7 +53,6 @@ export function ReviewTable({ tasks, chosen, onChoose, onOpen }: ReviewTableProp
             <td>
               <ChangeBar task={task} />
             </td>
-            <td className={pages.number}>{task.changed_elements}</td>
             <td>{task.authors.map((person) => person.name).join(", ") || "—"}</td>
             <td>{STATE_WORDS[task.state]}</td>
           </tr>
