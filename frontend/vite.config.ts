@@ -7,6 +7,8 @@ export default defineConfig({
   plugins: [react()],
   server: {
     host: "127.0.0.1",
+    // The rules' pages are read from ../docs/rules.
+    fs: { allow: [".."] },
     proxy: { "/api": server, "/healthz": server, "/readyz": server },
   },
   build: {

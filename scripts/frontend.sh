@@ -37,7 +37,7 @@ if [ "$(cat node_modules/.installed 2>/dev/null)" != "$key" ]; then
 fi
 
 if [ "$task" = build ]; then
-  key=$(find . \( -name node_modules -o -name dist -o -name coverage \) -prune -o -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum)
+  key=$(find . ../docs/rules \( -name node_modules -o -name dist -o -name coverage \) -prune -o -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum)
   { [ ! -f dist/index.html ] || [ "$(cat node_modules/.built 2>/dev/null)" != "$key" ]; } || exit 0
   echo 'Building the frontend'
   quietly npm run --silent build || { cat "$log" >&2; fail 'the frontend does not build: see above.'; }

@@ -10,8 +10,9 @@ import { Loading } from "./parts/Loading";
 import { Shell } from "./shell/Shell";
 import { useRole } from "./useSession";
 
-// The map and its library are most of the app's size; pages without a map do not wait for them.
+// The map and its library are most of the app's size; pages without a map do not wait for them, nor for the rules.
 const ReviewPage = lazy(() => import("./review/ReviewPage").then((page) => ({ default: page.ReviewPage })));
+const RulePage = lazy(() => import("./rules/RulePage").then((page) => ({ default: page.RulePage })));
 const TaskPage = lazy(() => import("./workspace/TaskPage").then((page) => ({ default: page.TaskPage })));
 
 /** The pages by address; those that a role may not see are not found for it, as on the server. */
@@ -33,6 +34,10 @@ export function Routes() {
             <Switch>
               <Route path="/" component={MyTasksPage} />
               <Route path="/account" component={AccountPage} />
+              <Route path="/rules">
+                <RulePage />
+              </Route>
+              <Route path="/rules/:code">{({ code }) => <RulePage code={code} />}</Route>
               {oversees && <Route path="/tasks" component={AllTasksPage} />}
               {oversees && <Route path="/review" component={ReviewPage} />}
               {oversees && <Route path="/logs" component={LogsPage} />}

@@ -55,6 +55,7 @@ export function Navigation() {
       )}
       <span className={classes.group}>Project</span>
       {role === "admin" && <Item to="/people" label="People" />}
+      <Item to="/rules" label="Rules" />
       <Item to="/account" label="Your account" />
     </nav>
   );

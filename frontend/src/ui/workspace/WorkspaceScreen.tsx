@@ -10,6 +10,7 @@ import { Inspector } from "./inspector/Inspector";
 import { KeysSheet } from "./KeysSheet";
 import { LeftPanel } from "./left/LeftPanel";
 import { MapArea } from "./MapArea";
+import { RuleSheet } from "./RuleSheet";
 import { SentBack } from "./SentBack";
 import { StaleDialog } from "./StaleDialog";
 import { ToolRail } from "./ToolRail";
@@ -83,6 +84,7 @@ function Screen({ banner }: { banner: ReactNode }) {
       </div>
       <KeysSheet />
       <StaleDialog />
+      <RuleSheet />
     </div>
   );
 }

@@ -20,6 +20,8 @@ export interface ScreenState {
   frame: number | null;
   keysShown: boolean;
   staleShown: boolean;
+  /** The rule whose page is shown beside the map. */
+  rule: string | null;
   inspectorShown: boolean;
   leftShown: boolean;
   task: Task;
@@ -39,6 +41,7 @@ export function createScreen(workspace: Workspace): StoreApi<ScreenState> {
     frame: null,
     keysShown: false,
     staleShown: false,
+    rule: null,
     inspectorShown: true,
     leftShown: true,
     task: workspace.task,

@@ -1,16 +1,12 @@
 import { Button } from "@mantine/core";
 import { IconAlertTriangle, IconCircleX, IconInfoCircle } from "@tabler/icons-react";
+import type { MouseEvent } from "react";
 import type { Violation } from "../../../api/types";
 import { KIND_WORDS } from "../../parts/words";
+import { ruleTitle } from "../../rules/ruleTitle";
 import { useWorkspace } from "../context";
 import type { Commands } from "../useCommands";
 import classes from "./left.module.css";
-
-/** "replacement.unjustified" as a title: "Replacement unjustified". */
-export function issueTitle(code: string): string {
-  const words = code.replaceAll(/[._]/g, " ");
-  return words.charAt(0).toUpperCase() + words.slice(1);
-}
 
 const ICONS = { error: IconCircleX, warning: IconAlertTriangle, none: IconInfoCircle };
 
@@ -24,11 +20,17 @@ interface IssueProperties {
 
 /** What happened, why it is wrong, and the mend as a button. */
 export function Issue({ violation, commands, editable, first }: IssueProperties) {
-  const { editor } = useWorkspace();
-  const { kind, elements, severity, inherited } = violation;
+  const { editor, screen } = useWorkspace();
+  const { code, kind, elements, severity, inherited } = violation;
   const tone = inherited ? "inherited" : severity;
   const Icon = ICONS[severity];
   const hover = (id: number | undefined) => editor.actions.hover(id === undefined ? null : { kind, id });
+  /** Beside the map; with Ctrl in a tab, as any link. */
+  const readRule = (event: MouseEvent) => {
+    if (event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    screen.setState({ rule: code });
+  };
   return (
     <article
       className={classes.issue}
@@ -38,7 +40,7 @@ export function Issue({ violation, commands, editable, first }: IssueProperties)
     >
       <h3 className={classes.issueTitle}>
         <Icon size={15} aria-hidden />
-        {issueTitle(violation.code)}
+        {ruleTitle(code)}
         <span className="visually-hidden">({severity === "none" ? "note" : severity})</span>
       </h3>
       <p>{violation.message}</p>
@@ -53,6 +55,9 @@ export function Issue({ violation, commands, editable, first }: IssueProperties)
             {KIND_WORDS[kind]} {id}
           </button>
         ))}
+        <a className={classes.rule} href={`/rules/${code}`} onClick={readRule}>
+          Why? <span className="mono">{code}</span>
+        </a>
       </p>
       {editable && violation.fixes.length > 0 && (
         <div className={classes.fixes}>
