@@ -13,7 +13,7 @@ export function NewPasswordField({
     <TextInput
       label="Password"
       description="Pass it on; they can change it under “Your account”."
-      className="mono"
+      classNames={{ input: "mono" }}
       autoComplete="off"
       spellCheck={false}
       value={value}

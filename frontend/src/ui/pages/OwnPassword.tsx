@@ -11,6 +11,7 @@ export function OwnPassword() {
   const [next, setNext] = useState("");
   const [busy, setBusy] = useState(false);
   const [failure, setFailure] = useState<unknown>(null);
+  const fault = passwordFault(next);
   const change = (event: SubmitEvent) => {
     event.preventDefault();
     setBusy(true);
@@ -39,14 +40,16 @@ export function OwnPassword() {
           autoComplete="new-password"
           w={220}
           value={next}
-          error={passwordFault(next)}
+          error={fault !== null}
           onChange={(event) => setNext(event.currentTarget.value)}
         />
         <Button type="submit" loading={busy} disabled={current === "" || next.length < MIN_PASSWORD_LENGTH}>
           Change
         </Button>
       </div>
-      <p className="third small">Changing it signs out your other browsers.</p>
+      <p className="third small" role="status">
+        {fault ?? `At least ${MIN_PASSWORD_LENGTH} characters. Changing it signs out your other browsers.`}
+      </p>
       {failure !== null && <ProblemNotice error={failure} />}
     </form>
   );
