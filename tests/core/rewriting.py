@@ -109,6 +109,19 @@ def exchange(random: Random, state: MapState) -> MapState:
     return renamed(state, {one: other, other: one})
 
 
+def exchange_sides(random: Random, state: MapState) -> MapState:
+    """Two neighbours under each other's ids."""
+    pairs = [
+        (key, other)
+        for key, lane in sorted(state.lanes.items())
+        if (other := lane.right_neighbor_id) in state.lanes and other != key
+    ]
+    if not pairs:
+        return state
+    one, other = random.choice(pairs)
+    return renamed(state, {one: other, other: one})
+
+
 def shuffle(random: Random, state: MapState) -> MapState:
     """Every id of the map exchanged."""
     lanes, crossings = sorted(state.lanes), sorted(state.crossings)
@@ -159,7 +172,23 @@ def reorder(random: Random, state: MapState) -> MapState:
     return MapState.of([*crossings, *lanes])
 
 
-REWRITES: tuple[Rewrite, ...] = (rename, exchange, shuffle, cut, join, reorder)
+def write_on_one_side(random: Random, state: MapState) -> MapState:
+    """A link that both lanes write, written by one of them."""
+    twice = [
+        (key, other)
+        for key, lane in sorted(state.lanes.items())
+        for other in lane.successors
+        if other in state.lanes and key in state.lanes[other].predecessors
+    ]
+    if not twice:
+        return state
+    one, other = random.choice(twice)
+    silent, name, gone = random.choice(((one, "successors", other), (other, "predecessors", one)))
+    links = tuple(key for key in getattr(state.lanes[silent], name) if key != gone)
+    return state.replaced([dataclasses.replace(state.lanes[silent], **{name: links})])
+
+
+REWRITES: tuple[Rewrite, ...] = (rename, exchange, exchange_sides, shuffle, cut, join, reorder, write_on_one_side)
 
 
 def several(random: Random, state: MapState, among: tuple[Rewrite, ...], count: int) -> MapState:

@@ -1,0 +1,150 @@
+"""Random edits at joints, junctions and crossings, beside those of ``rewriting``; each leaves the map as it was where
+there is no room for it."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from random import Random
+
+from tests.core.rewriting import EDITS, Rewrite, any_lane
+
+from lanewright.core.elements import LaneSegment, MapState, PedestrianCrossing, Point
+from lanewright.core.identity import fresh_id, without_link
+from lanewright.core.roadgraph import Link, RoadGraph
+
+WIDEST_GAP_M = 60.0
+CROSSING_WIDTH_M = 3.0
+
+
+def move_joint(random: Random, state: MapState) -> MapState:
+    """A point where lanes meet, moved in all lanes that have it."""
+    lane = any_lane(random, state)
+    old = random.choice((lane.left_boundary, lane.right_boundary))[random.choice((0, -1))]
+    by = random.choice((0.02, 0.3, 0.8))
+    new = (old[0] + random.uniform(-by, by), old[1] + random.uniform(-by, by), old[2])
+    moved = []
+    for other in state.lanes.values():
+        lines = {
+            side: tuple(new if point[:2] == old[:2] else point for point in getattr(other, side))
+            for side in ("left_boundary", "right_boundary")
+        }
+        if any(getattr(other, side) != line for side, line in lines.items()):
+            moved.append(dataclasses.replace(other, **lines))
+    return state.replaced(moved)
+
+
+def toggle_intersection(random: Random, state: MapState) -> MapState:
+    lane = any_lane(random, state)
+    return state.replaced([dataclasses.replace(lane, is_intersection=not lane.is_intersection)])
+
+
+def fill_gap(random: Random, state: MapState) -> MapState:
+    """A lane from one that leads nowhere to one ahead of it that nothing leads to."""
+    graph = RoadGraph.of(state)
+    loose = [lane for key, lane in sorted(state.lanes.items()) if not graph.successors[key]]
+    awaiting = [lane for key, lane in sorted(state.lanes.items()) if not graph.predecessors[key]]
+    gaps = [(one, other) for one in loose for other in awaiting if one is not other and _lies_ahead(one, other)]
+    if not gaps:
+        return state
+    one, other = random.choice(gaps)
+    new = dataclasses.replace(
+        one,
+        id=fresh_id([state]),
+        left_boundary=(one.left_boundary[-1], other.left_boundary[0]),
+        right_boundary=(one.right_boundary[-1], other.right_boundary[0]),
+        successors=(other.id,),
+        predecessors=(one.id,),
+        left_neighbor_id=None,
+        right_neighbor_id=None,
+        part_of=None,
+    )
+    return state.replaced(
+        [
+            new,
+            dataclasses.replace(one, successors=(*one.successors, new.id)),
+            dataclasses.replace(other, predecessors=(*other.predecessors, new.id)),
+        ]
+    )
+
+
+def _lies_ahead(one: LaneSegment, other: LaneSegment) -> bool:
+    """Whether straight lines from one lane's finish to another's start go on, both of them, in its direction."""
+    return all(
+        1.0 < math.hypot(ahead[0], ahead[1]) < WIDEST_GAP_M and ahead[0] * on[0] + ahead[1] * on[1] > 0
+        for ahead, on in (
+            (_step(one.left_boundary[-1], other.left_boundary[0]), _step(*one.left_boundary[-2:])),
+            (_step(one.right_boundary[-1], other.right_boundary[0]), _step(*one.right_boundary[-2:])),
+        )
+    )
+
+
+def _step(start: Point, finish: Point) -> tuple[float, float]:
+    return finish[0] - start[0], finish[1] - start[1]
+
+
+def link(random: Random, state: MapState) -> MapState:
+    """A link between lanes that meet without one, written on both sides or on one."""
+    starts: dict[tuple[Point, Point], list[int]] = {}
+    for key, lane in sorted(state.lanes.items()):
+        starts.setdefault((lane.left_boundary[0], lane.right_boundary[0]), []).append(key)
+    known = RoadGraph.of(state).links()
+    free = [
+        (key, other)
+        for key, lane in sorted(state.lanes.items())
+        for other in starts.get((lane.left_boundary[-1], lane.right_boundary[-1]), ())
+        if (key, other) not in known
+    ]
+    return with_link(state, random.choice(free), both=random.random() < 0.8) if free else state
+
+
+def with_link(state: MapState, link: Link, *, both: bool) -> MapState:
+    one, other = link
+    upstream = state.lanes[one]
+    state = state.replaced([dataclasses.replace(upstream, successors=(*upstream.successors, other))])
+    downstream = state.lanes[other]
+    if both:
+        state = state.replaced([dataclasses.replace(downstream, predecessors=(*downstream.predecessors, one))])
+    return state
+
+
+def unlink(random: Random, state: MapState) -> MapState:
+    links = sorted(RoadGraph.of(state).links())
+    return state.replaced(without_link(state.lanes, random.choice(links))) if links else state
+
+
+def insert_crossing(random: Random, state: MapState) -> MapState:
+    """A crossing over the start of a lane."""
+    lane = any_lane(random, state)
+    left, right = lane.left_boundary[0], lane.right_boundary[0]
+    dx, dy = _step(*lane.left_boundary[:2])
+    length = math.hypot(dx, dy)
+    ahead = (dx / length * CROSSING_WIDTH_M, dy / length * CROSSING_WIDTH_M)
+    new = PedestrianCrossing(fresh_id([state]), (left, right), (_shifted(left, ahead), _shifted(right, ahead)))
+    return state.replaced([new])
+
+
+def move_crossing(random: Random, state: MapState) -> MapState:
+    if not state.crossings:
+        return state
+    crossing = state.crossings[random.choice(sorted(state.crossings))]
+    reach = random.choice((0.02, 1.0, 5.0))
+    by = (random.uniform(-reach, reach), random.uniform(-reach, reach))
+    edges = {name: tuple(_shifted(point, by) for point in getattr(crossing, name)) for name in ("edge1", "edge2")}
+    return state.replaced([dataclasses.replace(crossing, **edges)])
+
+
+def _shifted(point: Point, by: tuple[float, float]) -> Point:
+    return point[0] + by[0], point[1] + by[1], point[2]
+
+
+ALL_EDITS: tuple[Rewrite, ...] = (
+    *EDITS,
+    move_joint,
+    toggle_intersection,
+    fill_gap,
+    link,
+    unlink,
+    insert_crossing,
+    move_crossing,
+)
