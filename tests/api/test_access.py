@@ -97,6 +97,7 @@ ROUTES: dict[str, Route] = {
     "keep_draft": Route("PUT", f"{TASK}/draft", editors_of_the_task(200), CHANGESET | {"version": 0}),
     "drop_draft": Route("DELETE", f"{TASK}/draft", readers_of_the_task(204)),
     "check_draft": Route("POST", f"{TASK}/check", readers_of_the_task(200), CHANGESET),
+    "make_canonical": Route("POST", f"{TASK}/canonical", readers_of_the_task(200), CHANGESET),
     "save": Route(
         "POST",
         f"{TASK}/revisions",

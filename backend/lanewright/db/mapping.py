@@ -12,7 +12,7 @@ import orjson
 import shapely
 from numpy.typing import NDArray
 
-from lanewright.core.attributes import FIELDS, attribute_value
+from lanewright.core.attributes import FIELDS, OPTIONAL_FIELDS, attribute_value
 from lanewright.core.elements import (
     Element,
     ElementKey,
@@ -36,7 +36,7 @@ _PLAIN = {
     kind: {name: field for name, field in FIELDS[kind].items() if field not in (*lines, "id")}
     for kind, lines in _LINES.items()
 }
-"""AV2 attribute name -> field, without geometry and id: what the column ``attributes`` holds."""
+"""AV2 attribute name -> field, without geometry and id: what the column ``attributes`` holds, beside optional ones."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,9 +94,13 @@ def element_sha256(element: Element) -> bytes:
 
 
 def content_of(element: Element) -> bytes:
-    """An element as canonical JSON: keys sorted, points as [x, y, z], doubles as short as they round-trip."""
+    """An element as canonical JSON: keys sorted, points as [x, y, z], doubles as short as they round-trip.
+
+    Optional attributes that are unset do not appear, so hashes of elements without them are those of before they came.
+    """
     kind = element.key.kind
     content: dict[str, Any] = {"kind": kind, **{name: getattr(element, field) for name, field in FIELDS[kind].items()}}
+    content |= _optional_attributes(element)
     text = orjson.dumps(content, option=orjson.OPT_SORT_KEYS)
     # -0.0 == 0.0, so they must not differ here; a minus zero stands at the end of a number only before , or ]
     return text.replace(b"-0.0,", b"0.0,").replace(b"-0.0]", b"0.0]") if b"-0.0" in text else text
@@ -117,7 +121,13 @@ def _lines_of(element: Element) -> tuple[Line, Line]:
 
 
 def _plain_attributes(element: Element) -> dict[str, Any]:
-    return {name: attribute_value(getattr(element, field)) for name, field in _PLAIN[element.key.kind].items()}
+    plain = {name: attribute_value(getattr(element, field)) for name, field in _PLAIN[element.key.kind].items()}
+    return plain | _optional_attributes(element)
+
+
+def _optional_attributes(element: Element) -> dict[str, Any]:
+    values = {name: getattr(element, field) for name, field in OPTIONAL_FIELDS[element.key.kind].items()}
+    return {name: value for name, value in values.items() if value is not None}
 
 
 def _element(kind: ElementKind, identity: int, plain: dict[str, Any], first: Line, second: Line) -> Element:
@@ -135,4 +145,5 @@ def _element(kind: ElementKind, identity: int, plain: dict[str, Any], first: Lin
         predecessors=tuple(plain["predecessors"]),
         right_neighbor_id=plain["right_neighbor_id"],
         left_neighbor_id=plain["left_neighbor_id"],
+        part_of=plain.get("part_of"),
     )

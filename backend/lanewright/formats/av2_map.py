@@ -13,7 +13,15 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from lanewright.core.attributes import FIELDS, attribute_value, element_attributes, parse_element, parse_id, parse_line
+from lanewright.core.attributes import (
+    FIELDS,
+    OPTIONAL_FIELDS,
+    attribute_value,
+    element_attributes,
+    parse_element,
+    parse_id,
+    parse_line,
+)
 from lanewright.core.elements import Element, ElementKind, Line, MapState
 from lanewright.core.errors import InvalidInput, Place
 from lanewright.formats import json_text
@@ -164,17 +172,25 @@ def _rewrite_group(text: str, start: int, old: Mapping[int, Element], new: Mappi
 
 
 def _rewrite_element(text: str, start: int, was: Element, now: Element) -> str:
+    optional = OPTIONAL_FIELDS[was.key.kind]
+    fields = {**FIELDS[was.key.kind], **optional}
     changed: dict[str, str | None] = {}
+    written: set[str] = set()
     for member in json_text.members(text, start):
-        field = FIELDS[was.key.kind].get(member.key)
+        written.add(member.key)
+        field = fields.get(member.key)
         if field is None or getattr(was, field) == getattr(now, field):
             continue
         value = attribute_value(getattr(now, field))
         if isinstance(value, list) and isinstance(member.value, list):
             changed[member.key] = _rewrite_list(text, member.start, value)
         else:
-            changed[member.key] = json.dumps(value, allow_nan=False)
-    return json_text.rewrite_object(text, start, changed)
+            changed[member.key] = (
+                None if value is None and member.key in optional else json.dumps(value, allow_nan=False)
+            )
+    known = element_attributes(now)
+    appended = {name: json.dumps(known[name], allow_nan=False) for name in optional if name in known.keys() - written}
+    return json_text.rewrite_object(text, start, changed, appended)
 
 
 def _rewrite_list(text: str, start: int, values: list[Any]) -> str:

@@ -9,6 +9,7 @@ from typing import Any
 from sqlalchemy.orm import Session
 
 from lanewright.core.attributes import element_attributes
+from lanewright.core.claims import Claims, DeclaredMacros
 from lanewright.core.edits import Edit, apply_edits
 from lanewright.core.elements import Element, ElementKey, MapState, levelled
 from lanewright.core.elevation import Ground, fill_elevation
@@ -18,7 +19,8 @@ from lanewright.core.rules import check
 from lanewright.core.violations import Violation
 from lanewright.db.models import Task
 from lanewright.db.repositories.elements import StoredMap
-from lanewright.services import line_maps
+from lanewright.services import declarations, line_maps
+from lanewright.services.declarations import Declared
 from lanewright.services.findings import Findings
 from lanewright.services.ground import ground_of
 from lanewright.services.id_blocks import check_new_ids
@@ -34,6 +36,7 @@ class Evaluation:
         head: the map that they now meet.
         edited: the map that a save would store: heights filled in, sub-tolerance edits taken back.
         restored: edited elements that went back to the base's exact coordinates.
+        head_declared, declared: the macros declared at the head, and those that a save would store.
     """
 
     base: StoredMap
@@ -41,6 +44,8 @@ class Evaluation:
     head: StoredMap
     edited: MapState
     restored: tuple[ElementKey, ...]
+    head_declared: Declared
+    declared: Declared
     findings: Findings
 
     def introduced(self) -> tuple[Violation, ...]:
@@ -52,10 +57,18 @@ class Evaluation:
         return tuple(violation for violation in blocking if violation.id not in known)
 
 
-def evaluate(session: Session, task: Task, account_id: int, base_revision: int, edits: Sequence[Edit]) -> Evaluation:
+def evaluate(
+    session: Session,
+    task: Task,
+    account_id: int,
+    base_revision: int,
+    edits: Sequence[Edit],
+    declared: Sequence[DeclaredMacros],
+) -> Evaluation:
     """What ``edits``, made on ``base_revision``, lead to at the head of the task.
 
-    Edits of elements that nobody else changed since merge; the same edit made twice counts once.
+    Edits of elements that nobody else changed since merge; the same edit made twice counts once. So do declarations:
+    ``declared`` is all of them.
 
     Raises:
         InvalidInput: an edit cannot be applied, names its element twice, or brings in an id that is not the account's.
@@ -72,16 +85,20 @@ def evaluate(session: Session, task: Task, account_id: int, base_revision: int, 
     ground = ground_of(session, task.log_id)
     base = line_maps.base_map(session, task.line_id)
     head = line_maps.map_at(session, task.line_id, head_revision, head_revision)
-    seen = head
+    head_declared = declarations.declared_at(session, task.line_id, head_revision)
+    seen, stated = head, declarations.in_order(declared)
     if base_revision != head_revision:
         seen = line_maps.map_at(session, task.line_id, base_revision, head_revision)
         edits = _without_settled(edits, seen.state, head.state, head_revision, ground)
+        seen_declared = declarations.declared_at(session, task.line_id, base_revision)
+        stated = declarations.merged(seen_declared, head_declared, stated)
     asked = fill_elevation(apply_edits(head.state, edits, drawn=True), ground)
     edited = restore(base.state, asked)
     new = [element for element in edited if element.key not in head.state]
-    check_new_ids(session, task_id=task.id, line_id=task.line_id, account_id=account_id, new=new, base=base.state)
+    retired = check_new_ids(session, task, account_id, new=new, base=base.state, head=head.state)
     restored = tuple(sorted(edit.key for edit in edits if _went_back(edit.key, base.state, asked, edited)))
-    return Evaluation(base, seen, head, edited, restored, Findings(base.state, edited, task.direction))
+    findings = Findings(base.state, edited, task.direction, Claims(retired=retired, declared=stated))
+    return Evaluation(base, seen, head, edited, restored, head_declared, stated, findings)
 
 
 def _require_one_edit_each(edits: Sequence[Edit]) -> None:

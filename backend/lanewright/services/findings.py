@@ -7,6 +7,7 @@ from dataclasses import asdict
 from typing import Any
 
 from lanewright.core.changes import AtomicChange, Direction, MapDiff
+from lanewright.core.claims import NO_CLAIMS, Claims
 from lanewright.core.comparison import Comparison
 from lanewright.core.diff import diff_of
 from lanewright.core.elements import MapState
@@ -21,15 +22,14 @@ class Findings:
 
     Args:
         direction: which way the task edits; it decides how the export will read the changes.
+        claims: what is said of the update beside the two maps.
     """
 
-    def __init__(self, base: MapState, edited: MapState, direction: str) -> None:
-        comparison = Comparison(base, edited)
-        self.base = base
-        self.edited = edited
+    def __init__(self, base: MapState, edited: MapState, direction: str, claims: Claims = NO_CLAIMS) -> None:
+        self.comparison = Comparison(base, edited, claims)
         self.direction = Direction(direction)
-        self.diff: MapDiff = diff_of(comparison)
-        self.violations: tuple[Violation, ...] = check_of(comparison)
+        self.diff: MapDiff = diff_of(self.comparison)
+        self.violations: tuple[Violation, ...] = check_of(self.comparison)
 
     def document(self) -> dict[str, Any]:
         """Changes by kind and id, updates by their smallest element, violations by id."""
@@ -40,18 +40,20 @@ class Findings:
         }
 
     def _change(self, change: AtomicChange) -> dict[str, Any]:
-        told = sentence(change, self.base, self.edited)
+        base, edited = self.comparison.base, self.comparison.edited
+        told = sentence(change, base, edited)
         return {
             **change_document(change),
             "headline": told.headline,
             "detail": told.detail,
-            "exported_as": exported_as(change, self.base, self.edited, self.direction),
+            "exported_as": exported_as(change, base, edited, self.direction),
         }
 
     def _updates(self) -> list[dict[str, Any]]:
+        base, edited = self.comparison.base, self.comparison.edited
         documents = []
         for update in self.diff.updates:
-            told = describe_update(update, self.diff.changes, self.base, self.edited, self.direction)
+            told = describe_update(update, self.diff.changes, base, edited, self.direction)
             documents.append(
                 {
                     "title": str(told).rstrip("."),

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
-import shapely
 from sqlalchemy.orm import Session
 
-from lanewright.core.comparison import COINCIDENT_M
-from lanewright.core.elements import Element, ElementKey, ElementKind, LaneSegment, MapState
+from lanewright.core.elements import Element, ElementKey, ElementKind, MapState
 from lanewright.core.errors import Conflict, InvalidInput, Place
+from lanewright.db.models import Task
 from lanewright.db.repositories import elements, id_blocks
 from lanewright.services.access import own_task, require_editable
 from lanewright.services.actor import Actor
@@ -51,53 +50,50 @@ def take_block(session: Session, actor: Actor, task_id: int) -> tuple[int, int]:
     """
     task = own_task(session, actor, task_id)
     require_editable(task)
-    first = id_blocks.advance(session, task.log_id, BLOCK)
+    ids = reserve(session, task, actor.id, BLOCK)
+    return ids[0], ids[-1]
+
+
+def reserve(session: Session, task: Task, account_id: int, count: int) -> range:
+    """So many new ids in a row for an account in a task.
+
+    Raises:
+        Conflict: ``ids.exhausted``, the log has no ids left.
+    """
+    first = id_blocks.advance(session, task.log_id, count)
     if first is None:
         raise Conflict(
             f"Log {task.log.log_id} has no new element ids left below 2^31.",
             mend="Import the log again under a renumbered map.",
             code="ids.exhausted",
         )
-    last = first + BLOCK - 1
+    ids = range(first, first + count)
     id_blocks.insert_block(
-        session, log_id=task.log_id, task_id=task.id, account_id=actor.id, first_id=first, last_id=last
+        session, log_id=task.log_id, task_id=task.id, account_id=account_id, first_id=ids[0], last_id=ids[-1]
     )
-    return first, last
+    return ids
 
 
 def check_new_ids(
-    session: Session, *, task_id: int, line_id: int, account_id: int, new: list[Element], base: MapState
-) -> None:
-    """Whether elements that a save brings in may carry their ids.
+    session: Session, task: Task, account_id: int, *, new: Iterable[Element], base: MapState, head: MapState
+) -> dict[ElementKey, Element]:
+    """Whether elements that a save brings in may carry their ids; returns what had these ids before and was deleted.
 
-    They may when the id stood for this element before on this line (somebody takes a deletion back), when the base has
-    it (the rules judge what became of it), or when it is a fresh one of this account's blocks.
+    They may when the id is a fresh one of this account's blocks, or was that of an element on this line or in the base
+    (the rules judge whether it still stands for the same).
 
     Raises:
         InvalidInput: names the element and the mend.
     """
     fresh = [element for element in new if element.key not in base]
     if not fresh:
-        return
+        return {}
     namesakes = [ElementKey(kind, element.id) for element in fresh for kind in ElementKind]
-    past = elements.load_versions(session, line_id, namesakes)
-    past_ids = {key.id for key in past}
-    seen: set[int] = set()
-    unknown: list[Element] = []
-    for element in fresh:
-        if element.id in seen or (
-            element.id in past_ids and not any(_stands_for(element, one) for one in past.get(element.key, []))
-        ):
-            raise InvalidInput(
-                "is an id that was used before in this task for something else",
-                "Insert the element under an id of its own from the block.",
-                Place(element=_name(element), key="id"),
-                code="identity.reused",
-            )
-        seen.add(element.id)
-        if element.id not in past_ids:
-            unknown.append(element)
-    outside = set(id_blocks.outside_blocks(session, task_id, account_id, [element.id for element in unknown]))
+    past = {key: versions[-1] for key, versions in elements.load_versions(session, task.line_id, namesakes).items()}
+    _require_one_element_each(fresh, head)
+    known = {key.id for key in past}
+    unknown = [element for element in fresh if element.id not in known]
+    outside = set(id_blocks.outside_blocks(session, task.id, account_id, [element.id for element in unknown]))
     for element in unknown:
         if element.id in outside:
             raise InvalidInput(
@@ -106,20 +102,21 @@ def check_new_ids(
                 Place(element=_name(element), key="id"),
                 code="ids.not_reserved",
             )
+    return {key: element for key, element in past.items() if key not in head}
 
 
-def _stands_for(one: Element, other: Element) -> bool:
-    """Whether both are one thing, perhaps edited since: lines of one kind at one place."""
-    return one.key == other.key and shapely.hausdorff_distance(_shape(one), _shape(other)) <= COINCIDENT_M
-
-
-def _shape(element: Element) -> shapely.MultiLineString:
-    lines = (
-        (element.left_boundary, element.right_boundary)
-        if isinstance(element, LaneSegment)
-        else (element.edge1, element.edge2)
-    )
-    return shapely.MultiLineString([[point[:2] for point in line] for line in lines])
+def _require_one_element_each(fresh: Sequence[Element], head: MapState) -> None:
+    """No new lane has the id of a crossing, nor the other way round."""
+    seen: set[int] = set()
+    for element in fresh:
+        if element.id in seen or any(ElementKey(kind, element.id) in head for kind in ElementKind):
+            raise InvalidInput(
+                "has the id of another element",
+                "Insert the element under an id of its own from the block.",
+                Place(element=_name(element), key="id"),
+                code="ids.taken",
+            )
+        seen.add(element.id)
 
 
 def _name(element: Element) -> str:

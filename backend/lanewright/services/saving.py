@@ -10,6 +10,7 @@ from typing import Any
 import orjson
 from sqlalchemy.orm import Session
 
+from lanewright.core.claims import DeclaredMacros
 from lanewright.core.edits import Edit
 from lanewright.core.elements import Element, ElementKey
 from lanewright.core.errors import Conflict
@@ -20,6 +21,8 @@ from lanewright.db.repositories import changes, drafts, elements, revisions
 from lanewright.sensors.city import city_frame
 from lanewright.services.access import readable_task, require_editable, require_own
 from lanewright.services.actor import Actor
+from lanewright.services.canonical import Renames, rename_documents, settled
+from lanewright.services.declarations import documents
 from lanewright.services.element_documents import key_documents, map_document
 from lanewright.services.evaluation import Evaluation, evaluate
 from lanewright.services.findings import violation_documents
@@ -32,10 +35,13 @@ def save(
     *,
     base_revision: int,
     edits: Sequence[Edit],
+    declared: Sequence[DeclaredMacros] = (),
     changeset_uuid: uuid.UUID,
     note: str,
 ) -> bytes:
     """Saves one changeset and returns its answer, the JSON of ``SavedRevision``; a replay gets the same bytes again.
+
+    ``declared``: all declarations of the task's line, not only new ones.
 
     Raises:
         NotFound: no such task for this actor.
@@ -46,7 +52,7 @@ def save(
         InvalidInput: an edit cannot be applied.
     """
     task = readable_task(session, actor, task_id, lock=True)
-    body_sha256 = _body_sha256(base_revision, edits, note)
+    body_sha256 = _body_sha256(base_revision, edits, declared, note)
     known = revisions.find_answer(session, task.line_id, actor.id, changeset_uuid)
     if known is not None:
         if known.body_sha256 != body_sha256:
@@ -59,20 +65,29 @@ def save(
         return known.answer
     require_own(actor, task)
     require_editable(task)
-    evaluation = evaluate(session, task, actor.id, base_revision, edits)
+    evaluation = evaluate(session, task, actor.id, base_revision, edits, declared)
     _require_no_violation(evaluation)
+    evaluation, renames = settled(session, task, actor.id, evaluation)
     _require_difference(evaluation, task.line.head)
-    return _write(session, actor, task, evaluation, changeset_uuid, body_sha256, note)
+    return _write(session, actor, task, evaluation, renames, changeset_uuid, body_sha256, note)
 
 
-def check(session: Session, actor: Actor, task_id: int, *, base_revision: int, edits: Sequence[Edit]) -> dict[str, Any]:
+def check(
+    session: Session,
+    actor: Actor,
+    task_id: int,
+    *,
+    base_revision: int,
+    edits: Sequence[Edit],
+    declared: Sequence[DeclaredMacros] = (),
+) -> dict[str, Any]:
     """What a save of these edits would be told, as the JSON of ``Findings``; nothing is written.
 
     Raises:
         NotFound, InvalidInput, Conflict: as ``save``, but for state, violations and emptiness.
     """
     task = readable_task(session, actor, task_id)
-    return evaluate(session, task, actor.id, base_revision, edits).findings.document()
+    return evaluate(session, task, actor.id, base_revision, edits, declared).findings.document()
 
 
 def _require_no_violation(evaluation: Evaluation) -> None:
@@ -88,7 +103,7 @@ def _require_no_violation(evaluation: Evaluation) -> None:
 
 
 def _require_difference(evaluation: Evaluation, head_revision: int) -> None:
-    if evaluation.edited == evaluation.head.state:
+    if evaluation.edited == evaluation.head.state and evaluation.declared == evaluation.head_declared:
         raise Conflict(
             f"There is nothing to save: revision {head_revision} already says what you sent."
             if not evaluation.restored
@@ -105,6 +120,7 @@ def _write(
     actor: Actor,
     task: Task,
     evaluation: Evaluation,
+    renames: Renames,
     changeset_uuid: uuid.UUID,
     body_sha256: bytes,
     note: str,
@@ -116,7 +132,7 @@ def _write(
     rows = to_rows(written, city_frame(task.log.city).to_mercator)
     hashes = {key: sha256 for key, sha256 in head.hashes.items() if key in edited}
     hashes |= {element.key: row.sha256 for element, row in zip(written, rows, strict=True)}
-    answer = _answer(session, task, evaluation, revision, written)
+    answer = _answer(session, task, evaluation, renames, revision, written)
     diff = evaluation.findings.diff
     revisions.insert_revision(
         session,
@@ -129,17 +145,25 @@ def _write(
         answer=answer,
         content_sha256=map_sha256(hashes.items()),
         updates=diff_document(diff)["updates"],
+        declarations=documents(evaluation.declared),
     )
     replaced = [element.key for element in written if element.key in head.state]
     closing = {key: head.versions[key] for key in (*replaced, *gone)}
     elements.close_versions(session, task.line_id, revision, closing)
     elements.insert_versions(session, task.line_id, revision, rows)
     changes.insert_changes(session, task.line_id, revision, diff.changes)
-    drafts.drop(session, task.id, actor.id)
+    drafts.settle(session, task.id, actor.id, revision)
     return answer
 
 
-def _answer(session: Session, task: Task, evaluation: Evaluation, revision: int, written: Sequence[Element]) -> bytes:
+def _answer(
+    session: Session,
+    task: Task,
+    evaluation: Evaluation,
+    renames: Renames,
+    revision: int,
+    written: Sequence[Element],
+) -> bytes:
     """The JSON of ``SavedRevision``: how the map now differs from the one that the editor had before its edits."""
     versions: dict[ElementKey, int] = {**evaluation.head.versions, **{element.key: revision for element in written}}
     seen, edited = evaluation.seen.state, evaluation.edited
@@ -152,12 +176,16 @@ def _answer(session: Session, task: Task, evaluation: Evaluation, revision: int,
         "changed": map_document(changed, versions),
         "removed": key_documents(removed),
         "restored": key_documents(evaluation.restored),
+        "canonical": rename_documents(renames),
+        "declarations": documents(evaluation.declared),
         "findings": evaluation.findings.document(),
     }
     return orjson.dumps(document, option=orjson.OPT_UTC_Z | orjson.OPT_NAIVE_UTC)
 
 
-def _body_sha256(base_revision: int, edits: Sequence[Edit], note: str) -> bytes:
+def _body_sha256(base_revision: int, edits: Sequence[Edit], declared: Sequence[DeclaredMacros], note: str) -> bytes:
     """Hash of what a changeset says, whatever the order of keys and the spaces in its JSON."""
     body = {"base_revision": base_revision, "edits": [edit_document(edit) for edit in edits], "note": note}
+    if declared:  # left out otherwise: changesets from before there were declarations have the hash they had
+        body["declarations"] = documents(declared)
     return hashlib.sha256(orjson.dumps(body, option=orjson.OPT_SORT_KEYS)).digest()

@@ -14,6 +14,7 @@ from lanewright.db.models import Remark, Task, TaskEvent
 from lanewright.db.repositories import accounts, drafts, revisions, tasks
 from lanewright.services.access import readable_task
 from lanewright.services.actor import Actor
+from lanewright.services.drafts import is_unsaved
 from lanewright.services.tasks import TaskView, standing, view
 
 
@@ -78,7 +79,7 @@ def take(
 def _require_all_saved(session: Session, actor: Actor, task: Task) -> None:
     for account_id in sorted({actor.id, task.assignee_id or actor.id}):
         draft = drafts.find(session, task.id, account_id)
-        if draft is not None and draft.edits:
+        if draft is not None and is_unsaved(session, task, draft):
             whose = "Your" if account_id == actor.id else "The assignee's"
             raise Conflict(
                 f"{whose} draft holds changes that are not saved.",

@@ -8,6 +8,7 @@ from typing import Any
 import orjson
 from sqlalchemy.orm import Session
 
+from lanewright.core.claims import Claims
 from lanewright.db.models import Draft, Task
 from lanewright.db.repositories import drafts, logs, revisions
 from lanewright.db.repositories.elements import StoredMap
@@ -15,6 +16,7 @@ from lanewright.sensors.city import city_frame
 from lanewright.services import line_maps
 from lanewright.services.access import readable_task
 from lanewright.services.actor import Actor
+from lanewright.services.declarations import declared_at
 from lanewright.services.element_documents import key_documents, map_document
 from lanewright.services.findings import Findings
 from lanewright.services.importing import DRIVABLE_AREAS, LIDAR_IMAGE
@@ -58,6 +60,7 @@ def open_task(session: Session, actor: Actor, task_id: int, revision: int | None
         "base": orjson.Fragment(_base_document(sha256, base)),
         "changed": map_document(departure.written.state, departure.written.versions),
         "removed": key_documents(departure.removed),
+        "declarations": revisions.declarations(session, task.line_id, shown),
         "drivable_areas": orjson.Fragment(logs.asset_body(session, task.log_id, DRIVABLE_AREAS)),
         "lidar": _lidar(session, task),
         "revisions": [_history_document(entry) for entry in revisions.history(session, task.line_id)],
@@ -74,7 +77,8 @@ def findings_at(session: Session, actor: Actor, task_id: int, revision: int) -> 
     task = readable_task(session, actor, task_id)
     base = line_maps.base_map(session, task.line_id)
     edited = line_maps.departure(session, task.line_id, revision, task.line.head).applied_to(base)
-    return Findings(base.state, edited.state, task.direction).document()
+    claims = Claims(declared=declared_at(session, task.line_id, revision))
+    return Findings(base.state, edited.state, task.direction, claims).document()
 
 
 def _base_document(sha256: bytes, base: StoredMap) -> bytes:

@@ -257,6 +257,28 @@ export interface paths {
         patch: operations["assign_task"];
         trace?: never;
     };
+    "/api/v1/tasks/{task_id}/canonical": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Make Canonical
+         * @description What takes the draft to its canonical form, as edits to apply to it; nothing is written.
+         *
+         *     New elements in them have ids made up for the occasion, as in fixes. 409 ``save.stale`` as in a save.
+         */
+        post: operations["make_canonical"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/tasks/{task_id}/check": {
         parameters: {
             query?: never;
@@ -287,7 +309,11 @@ export interface paths {
         get?: never;
         /**
          * Keep Draft
-         * @description Keeps what is not saved yet. 409 ``draft.newer``: another device kept one that this one has not seen.
+         * @description Keeps what is not saved yet.
+         *
+         *     409 ``draft.newer``: another device kept one that this one has not seen.
+         *     409 ``draft.superseded``: the asker has saved since the base revision, so this may be a late copy of what was saved;
+         *     facts.version is the version to name to keep it all the same.
          */
         put: operations["keep_draft"];
         post?: never;
@@ -353,6 +379,9 @@ export interface paths {
         /**
          * Save
          * @description Saves one changeset as the next revision. The same UUID with the same contents is answered byte for byte alike.
+         *
+         *     Where the check notes ``identity.not_canonical``, the canonical form is stored; ``canonical`` says what is called
+         *     otherwise now. ``declarations`` replace all that stood before.
          *
          *     409 ``save.stale``: others changed the same elements (facts.conflicts: base, mine, theirs).
          *     409 ``save.empty``: nothing differs. 409 ``save.replayed_differently``: the UUID was saved with other contents.
@@ -572,6 +601,8 @@ export interface components {
             left_lane_mark_type?: string | null;
             /** Left Neighbor Id */
             left_neighbor_id?: number | null;
+            /** Part Of */
+            part_of?: number | null;
             /** Predecessors */
             predecessors?: number[] | null;
             /** Right Lane Boundary */
@@ -582,6 +613,20 @@ export interface components {
             right_neighbor_id?: number | null;
             /** Successors */
             successors?: number[] | null;
+        };
+        /**
+         * CanonicalOut
+         * @description What takes the draft to its canonical form: edits that are applied as a fix is; none when it is canonical.
+         */
+        CanonicalOut: {
+            /** Cut */
+            cut: number[];
+            /** Edits */
+            edits: components["schemas"]["EditOut"][];
+            /** Joined */
+            joined: number[];
+            /** Renamed */
+            renamed: components["schemas"]["RenamedElement"][];
         };
         /**
          * Category
@@ -655,6 +700,11 @@ export interface components {
         CheckIn: {
             /** Base Revision */
             base_revision: number;
+            /**
+             * Declarations
+             * @description All declarations of the task, not only new ones: the last list sent stands.
+             */
+            declarations?: components["schemas"]["DeclarationIn"][];
             /** Edits */
             edits: components["schemas"]["EditIn"][];
         };
@@ -691,6 +741,24 @@ export interface components {
             version: number;
         };
         /**
+         * DeclarationIn
+         * @description The macros declared for the update that these elements are in; some of its elements are enough.
+         */
+        DeclarationIn: {
+            /** Elements */
+            elements: components["schemas"]["ElementKeyIn"][];
+            macros: components["schemas"]["MacrosIn"];
+        };
+        /**
+         * DeclarationOut
+         * @description The macros declared for the update that these elements are in.
+         */
+        DeclarationOut: {
+            /** Elements */
+            elements: components["schemas"]["ElementKeyOut"][];
+            macros: components["schemas"]["MacrosOut"];
+        };
+        /**
          * Direction
          * @description Which way a task runs (spec §3): whether its base map is the prior or the current one.
          * @enum {string}
@@ -703,6 +771,11 @@ export interface components {
         DraftIn: {
             /** Base Revision */
             base_revision: number;
+            /**
+             * Declarations
+             * @description All declarations of the task, not only new ones: the last list sent stands.
+             */
+            declarations?: components["schemas"]["DeclarationIn"][];
             /** Edits */
             edits: components["schemas"]["EditIn"][];
             /** Version */
@@ -722,6 +795,8 @@ export interface components {
         DraftOut: {
             /** Base Revision */
             base_revision: number;
+            /** Declarations */
+            declarations: components["schemas"]["DeclarationOut"][];
             /** Edits */
             edits: components["schemas"]["EditOut"][];
             /**
@@ -774,6 +849,12 @@ export interface components {
             kind: components["schemas"]["ElementKind"];
             operation: components["schemas"]["Operation"];
         };
+        /** ElementKeyIn */
+        ElementKeyIn: {
+            /** Id */
+            id: number;
+            kind: components["schemas"]["ElementKind"];
+        };
         /** ElementKeyOut */
         ElementKeyOut: {
             /** Id */
@@ -799,6 +880,8 @@ export interface components {
         };
         /** FixOut */
         FixOut: {
+            /** Declarations */
+            declarations?: components["schemas"]["DeclarationOut"][] | null;
             /** Edits */
             edits: components["schemas"]["EditOut"][];
             /** Title */
@@ -849,6 +932,8 @@ export interface components {
             left_lane_mark_type: components["schemas"]["Mark"];
             /** Left Neighbor Id */
             left_neighbor_id: number | null;
+            /** Part Of */
+            part_of?: number | null;
             /** Predecessors */
             predecessors: number[];
             /** Right Lane Boundary */
@@ -931,6 +1016,19 @@ export interface components {
             page_size: number;
             /** Total */
             total: number;
+        };
+        /** MacrosIn */
+        MacrosIn: {
+            /** Appearance */
+            appearance: boolean;
+            /** Function */
+            function: boolean;
+            /** Lane Graph */
+            lane_graph: boolean;
+            /** Lane Number */
+            lane_number: number;
+            /** Shape */
+            shape: boolean;
         };
         /** MacrosOut */
         MacrosOut: {
@@ -1044,6 +1142,17 @@ export interface components {
             /** Text */
             text: string;
         };
+        /**
+         * RenamedElement
+         * @description An element that now has another id.
+         */
+        RenamedElement: {
+            /** From */
+            from: number;
+            kind: components["schemas"]["ElementKind"];
+            /** To */
+            to: number;
+        };
         /** RevisionOut */
         RevisionOut: {
             author: components["schemas"]["PersonOut"] | null;
@@ -1076,6 +1185,11 @@ export interface components {
              * Format: uuid
              */
             changeset_uuid: string;
+            /**
+             * Declarations
+             * @description All declarations of the task, not only new ones: the last list sent stands.
+             */
+            declarations?: components["schemas"]["DeclarationIn"][];
             /** Edits */
             edits: components["schemas"]["EditIn"][];
             /**
@@ -1089,12 +1203,16 @@ export interface components {
          * @description What a save led to. ``changed``/``removed``: the elements that now differ from ``base_revision``, as stored.
          */
         SavedRevision: {
+            /** Canonical */
+            canonical: components["schemas"]["RenamedElement"][];
             changed: components["schemas"]["MapOut"];
             /**
              * Created At
              * Format: date-time
              */
             created_at: string;
+            /** Declarations */
+            declarations: components["schemas"]["DeclarationOut"][];
             findings: components["schemas"]["Findings"];
             /** Removed */
             removed: components["schemas"]["ElementKeyOut"][];
@@ -1361,6 +1479,8 @@ export interface components {
                 number
             ];
             changed: components["schemas"]["MapOut"];
+            /** Declarations */
+            declarations: components["schemas"]["DeclarationOut"][];
             draft: components["schemas"]["DraftOut"] | null;
             /** Drivable Areas */
             drivable_areas: [
@@ -3116,6 +3236,122 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["TaskOut"];
+                };
+            };
+            /** @description The request is not well-formed. */
+            400: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Nobody is signed in, or the credentials do not hold. */
+            401: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The asker may not do this. */
+            403: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description It does not exist, or the asker may not know that it does. */
+            404: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description It contradicts the present state. */
+            409: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The body is too large. */
+            413: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Something in the request cannot be used; the message says what, where and how to mend it. */
+            422: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description Too many attempts. */
+            429: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description An error of the server; the request id finds it in the log. */
+            500: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+            /** @description The database cannot be reached at the moment. */
+            503: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["Problem"];
+                };
+            };
+        };
+    };
+    make_canonical: {
+        parameters: {
+            query?: never;
+            header?: never;
+            path: {
+                task_id: number;
+            };
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                "application/json": components["schemas"]["CheckIn"];
+            };
+        };
+        responses: {
+            /** @description Successful Response */
+            200: {
+                headers: {
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CanonicalOut"];
                 };
             };
             /** @description The request is not well-formed. */

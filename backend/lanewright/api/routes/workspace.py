@@ -8,6 +8,7 @@ from fastapi import APIRouter, Query, Response
 
 from lanewright.api.deps import AnyActor, SessionDep
 from lanewright.api.document import document_response
+from lanewright.api.schemas.declarations import to_core
 from lanewright.api.schemas.findings import Findings
 from lanewright.api.schemas.path import RowNumber
 from lanewright.api.schemas.tasks import DraftIn, DraftKept, Drive, IdBlockOut, TaskEventOut, TaskOut, Workspace
@@ -60,13 +61,19 @@ def take_id_block(task_id: RowNumber, actor: AnyActor, session: SessionDep) -> I
 
 @router.put("/draft", operation_id="keep_draft")
 def keep_draft(task_id: RowNumber, body: DraftIn, actor: AnyActor, session: SessionDep) -> DraftKept:
-    """Keeps what is not saved yet. 409 ``draft.newer``: another device kept one that this one has not seen."""
+    """Keeps what is not saved yet.
+
+    409 ``draft.newer``: another device kept one that this one has not seen.
+    409 ``draft.superseded``: the asker has saved since the base revision, so this may be a late copy of what was saved;
+    facts.version is the version to name to keep it all the same.
+    """
     version, kept_at = drafts.keep_draft(
         session,
         actor,
         task_id,
         base_revision=body.base_revision,
         edits=[edit_document(edit.to_core()) for edit in body.edits],
+        declared=to_core(body.declarations),
         seen_version=body.version,
     )
     return DraftKept(version=version, kept_at=kept_at)

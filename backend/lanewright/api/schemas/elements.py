@@ -29,6 +29,8 @@ class LaneAttributes(Outgoing):
     predecessors: list[int]
     right_neighbor_id: int | None
     left_neighbor_id: int | None
+    part_of: int | None = None
+    """The lane of the base of which this is a part, where the task records a cut; else absent. No AV2 attribute."""
 
 
 class CrossingAttributes(Outgoing):
@@ -87,6 +89,7 @@ class AttributesIn(Incoming):
     predecessors: list[Identifier] | None = Field(None, max_length=1000)
     right_neighbor_id: Identifier | None = None
     left_neighbor_id: Identifier | None = None
+    part_of: Identifier | None = None
     edge1: Line | None = Field(None, min_length=2, max_length=2)
     edge2: Line | None = Field(None, min_length=2, max_length=2)
 

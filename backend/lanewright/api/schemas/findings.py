@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from lanewright.api.schemas.base import Outgoing
+from lanewright.api.schemas.declarations import DeclarationOut, MacrosOut
 from lanewright.api.schemas.elements import EditOut
 from lanewright.core.changes import Category
 from lanewright.core.elements import ElementKind
@@ -28,14 +29,6 @@ class ChangeOut(Outgoing):
     """How the export will read it where the direction inverts it, e.g. "will be exported as deletion"; else empty."""
 
 
-class MacrosOut(Outgoing):
-    shape: bool
-    appearance: bool
-    function: bool
-    lane_graph: bool
-    lane_number: int
-
-
 class UpdateOut(Outgoing):
     """Changes that touch each other, with their macro-modifications."""
 
@@ -47,6 +40,8 @@ class UpdateOut(Outgoing):
 class FixOut(Outgoing):
     title: str
     edits: list[EditOut]
+    declarations: list[DeclarationOut] | None = None
+    """Only in fixes of ``macro.mismatch``: the whole list that takes the place of the present one."""
 
 
 class ViolationOut(Outgoing):

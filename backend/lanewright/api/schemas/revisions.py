@@ -9,7 +9,8 @@ from typing import Any
 from pydantic import Field
 
 from lanewright.api.schemas.base import Incoming, Outgoing, RevisionNumber, Text
-from lanewright.api.schemas.elements import EditIn, ElementKeyOut, MapOut
+from lanewright.api.schemas.declarations import DeclarationOut, Declarations
+from lanewright.api.schemas.elements import EditIn, EditOut, ElementKeyOut, MapOut
 from lanewright.api.schemas.findings import Findings
 from lanewright.core.changes import Category
 from lanewright.core.elements import ElementKind
@@ -20,6 +21,7 @@ class CheckIn(Incoming):
 
     base_revision: RevisionNumber
     edits: list[EditIn] = Field(max_length=5000)
+    declarations: Declarations = Field(default_factory=list)
 
 
 class SaveIn(CheckIn):
@@ -27,6 +29,25 @@ class SaveIn(CheckIn):
 
     changeset_uuid: uuid.UUID = Field(strict=False)
     note: Text = ""
+
+
+class RenamedElement(Outgoing):
+    """An element that now has another id."""
+
+    kind: ElementKind
+    from_id: int = Field(alias="from")
+    to_id: int = Field(alias="to")
+
+
+class CanonicalOut(Outgoing):
+    """What takes the draft to its canonical form: edits that are applied as a fix is; none when it is canonical."""
+
+    edits: list[EditOut]
+    renamed: list[RenamedElement]
+    joined: list[int]
+    """Lanes that become part of the lane before or after them."""
+    cut: list[int]
+    """Lanes of the base that are cut, since a property changes half-way."""
 
 
 class SavedRevision(Outgoing):
@@ -39,6 +60,10 @@ class SavedRevision(Outgoing):
     removed: list[ElementKeyOut]
     restored: list[ElementKeyOut]
     """Elements whose edit was below tolerance and went back to the base's exact coordinates."""
+    canonical: list[RenamedElement]
+    """Elements of the draft that were stored under another id, because the canonical form calls them so."""
+    declarations: list[DeclarationOut]
+    """All declarations of the task as stored: merged with those that others saved, ids as in ``canonical``."""
     findings: Findings
 
 

@@ -8,6 +8,7 @@ from pydantic import Field
 
 from lanewright.api.schemas.accounts import PersonOut
 from lanewright.api.schemas.base import Identifier, Incoming, Outgoing, RevisionNumber, RowId, Text
+from lanewright.api.schemas.declarations import DeclarationOut, Declarations
 from lanewright.api.schemas.elements import EditIn, EditOut, ElementKeyOut, MapOut
 from lanewright.core.changes import Category, Direction
 from lanewright.core.elements import ElementKind
@@ -121,6 +122,7 @@ class RevisionOut(Outgoing):
 class DraftOut(Outgoing):
     base_revision: int
     edits: list[EditOut]
+    declarations: list[DeclarationOut]
     version: int
     kept_at: datetime.datetime
 
@@ -130,6 +132,7 @@ class DraftIn(Incoming):
 
     base_revision: RevisionNumber
     edits: list[EditIn] = Field(max_length=5000)
+    declarations: Declarations = Field(default_factory=list)
     version: RevisionNumber
 
 
@@ -151,6 +154,8 @@ class Workspace(Outgoing):
     """Elements of the revision that differ from the base (updated or inserted)."""
     removed: list[ElementKeyOut]
     """Elements of the base that the revision has not."""
+    declarations: list[DeclarationOut]
+    """Macros declared at that revision."""
     drivable_areas: list[list[tuple[float, float]]]
     lidar: LidarOut | None
     draft: DraftOut | None

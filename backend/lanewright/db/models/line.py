@@ -63,6 +63,8 @@ class Revision(Base):
     """Hash over the sorted (kind, id, sha256) of all live versions."""
     updates: Mapped[list[Any]]
     """JSON: the structural updates base -> this revision, spec §8."""
+    declarations: Mapped[list[Any]] = mapped_column(server_default=text("'[]'"))
+    """JSON: the macros that annotators declare for those updates, all that stand at this revision."""
 
     __table_args__ = (UniqueConstraint("line_id", "author_id", "changeset_uuid"),)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, Integer, Sequence, Text, UniqueConstraint
+from sqlalchemy import BigInteger, CheckConstraint, ForeignKey, Index, Integer, Sequence, Text, UniqueConstraint, text
 from sqlalchemy.orm import Mapped, mapped_column, relationship
 
 from lanewright.db.models.account import Account
@@ -65,7 +65,7 @@ class IdBlock(Base):
 
 
 class Draft(Base):
-    """What one person has not saved yet in one task: the net edits since ``base_revision``."""
+    """What one person has not saved yet in one task: the net edits since ``base_revision``, and all declarations."""
 
     __tablename__ = "draft"
 
@@ -73,10 +73,14 @@ class Draft(Base):
     account_id: Mapped[int] = mapped_column(ForeignKey("account.id", ondelete="CASCADE"), primary_key=True)
     base_revision: Mapped[int] = mapped_column(Integer)
     edits: Mapped[list[Any]]
+    declarations: Mapped[list[Any]] = mapped_column(server_default=text("'[]'"))
     version: Mapped[int] = mapped_column(Integer, DRAFT_VERSIONS)
     """Names this write, never given twice; a writer names the one it has seen, so two devices cannot overwrite each
     other unseen, not even across a draft that was dropped in between."""
     kept_at: Mapped[moment]
+    saved_as: Mapped[int | None] = mapped_column(Integer)
+    """The revision that the draft became. All else in the row is then void; it stays to turn away writes of the draft
+    that arrive after its save."""
 
 
 class TaskEvent(Base):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import datetime
 import uuid
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -73,6 +74,7 @@ def insert_revision(
     changeset_uuid: uuid.UUID | None = None,
     body_sha256: bytes | None = None,
     answer: bytes | None = None,
+    declarations: Sequence[Any] = (),
 ) -> None:
     """Writes one revision; its element versions and atomic changes follow."""
     session.execute(
@@ -86,6 +88,7 @@ def insert_revision(
             answer=answer,
             content_sha256=content_sha256,
             updates=updates,
+            declarations=list(declarations),
         )
     )
 
@@ -110,6 +113,14 @@ def content_sha256(session: Session, line_id: int, number: int) -> bytes | None:
         select(Revision.content_sha256).where(Revision.line_id == line_id, Revision.number == number)
     ).scalar_one_or_none()
     return None if found is None else bytes(found)
+
+
+def declarations(session: Session, line_id: int, number: int) -> list[Any]:
+    """The macros declared at a revision, as JSON; none where there is no such revision."""
+    found: list[Any] | None = session.execute(
+        select(Revision.declarations).where(Revision.line_id == line_id, Revision.number == number)
+    ).scalar_one_or_none()
+    return found or []
 
 
 @dataclass(frozen=True, slots=True)
