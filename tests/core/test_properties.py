@@ -11,7 +11,6 @@ from tests.core.rewriting import EDITS, REWRITES, several
 
 from lanewright.core.elements import MapState
 from lanewright.core.rules import check
-from lanewright.core.survey import Survey
 
 few = settings(max_examples=60, suppress_health_check=[HealthCheck.too_slow])
 
@@ -22,7 +21,6 @@ def test_a_check_on_what_changed_equals_the_full_check(base, seed):
     """The facts of the base are remembered; a copy of it that nothing is known of must be judged the same."""
     random = Random(seed)
     edited = several(random, several(random, base, EDITS, 3), REWRITES, 1)
-    Survey.of(base)
     warm = check(base, edited)
     copies = [MapState.of(list(state)) for state in (base, edited)]
     assert check(*copies) == warm

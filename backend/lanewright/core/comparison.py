@@ -6,6 +6,7 @@ looked at only where something differs, and remembered.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cached_property
 
 from lanewright.core import geometry
@@ -15,7 +16,7 @@ from lanewright.core.elements import ElementKey, ElementKind, MapState, Pedestri
 from lanewright.core.geometry import Shape, distance_m, hausdorff_m, moved, overlap, polygon, readable_element
 from lanewright.core.linework import Linework
 from lanewright.core.roadgraph import FINISH, START, Endpoint, Link, RoadGraph
-from lanewright.core.survey import Survey, lane_ids, renewed_lanes
+from lanewright.core.survey import Survey, lane_ids
 from lanewright.core.turns import TurnFunction, same_function, turn_function
 
 COINCIDENT_M = 3.0
@@ -28,10 +29,10 @@ class Comparison:
     """Base and edited map compared (spec §2: B, E, survivors, deleted, inserted)."""
 
     def __init__(self, base: MapState, edited: MapState, claims: Claims = NO_CLAIMS):
-        self._renewed = renewed_lanes(base, edited)
-        self.base, self.edited = cut_alike(base, edited, self._renewed)
+        self.apart = edited.apart(base)
+        self.base, self.edited = cut_alike(base, edited, self.apart)
         if self.base is not base or self.edited is not edited:
-            self._renewed = renewed_lanes(self.base, self.edited)
+            self.apart = self.edited.apart(self.base)
         self.claims = claims
         self._moved: dict[int, tuple[bool, bool]] = {}
         self._moved_crossings: dict[int, bool] = {}
@@ -41,7 +42,7 @@ class Comparison:
     @cached_property
     def survey(self) -> Survey:
         """What is known of the base."""
-        return Survey.of(self.base)
+        return Survey(self.base)
 
     @cached_property
     def base_graph(self) -> RoadGraph:
@@ -70,31 +71,34 @@ class Comparison:
 
     @cached_property
     def deleted_lanes(self) -> frozenset[int]:
-        if len(self.edited.lanes) - len(self.inserted_lanes) == len(self.base.lanes):
-            return frozenset()
-        return frozenset(self.base.lanes.keys() - self.edited.lanes.keys())
+        return frozenset(self._of_kind(ElementKind.LANE_SEGMENT, was=True, now=False))
 
     @cached_property
     def inserted_lanes(self) -> frozenset[int]:
-        return frozenset(key for key in self._renewed if key not in self.base.lanes)
-
-    @cached_property
-    def surviving_crossings(self) -> frozenset[int]:
-        return frozenset(self.base.crossings.keys() & self.edited.crossings.keys())
+        return frozenset(self._of_kind(ElementKind.LANE_SEGMENT, was=False, now=True))
 
     @cached_property
     def deleted_crossings(self) -> frozenset[int]:
-        return frozenset(self.base.crossings.keys() - self.edited.crossings.keys())
+        return frozenset(self._of_kind(ElementKind.PEDESTRIAN_CROSSING, was=True, now=False))
 
     @cached_property
     def inserted_crossings(self) -> frozenset[int]:
-        return frozenset(self.edited.crossings.keys() - self.base.crossings.keys())
+        return frozenset(self._of_kind(ElementKind.PEDESTRIAN_CROSSING, was=False, now=True))
 
     @cached_property
     def differing_lanes(self) -> tuple[int, ...]:
         """Surviving lanes that are not equal by value, ascending."""
         base, edited = self.base.lanes, self.edited.lanes
-        return tuple(sorted(key for key in self._renewed if key in base and base[key] != edited[key]))
+        both = self._of_kind(ElementKind.LANE_SEGMENT, was=True, now=True)
+        return tuple(sorted(key for key in both if base[key] != edited[key]))
+
+    def _of_kind(self, kind: ElementKind, *, was: bool, now: bool) -> Iterator[int]:
+        """Ids of elements that are not one object in both maps: those that the base has (or not) and the edited map."""
+        return (
+            key.id
+            for key in self.apart
+            if key.kind is kind and (key in self.base) is was and (key in self.edited) is now
+        )
 
     @cached_property
     def touched_crossings(self) -> frozenset[int]:
@@ -104,14 +108,9 @@ class Comparison:
     @cached_property
     def differing_crossings(self) -> tuple[int, ...]:
         """Surviving crossings that are not equal by value, ascending."""
-        base = self.base.crossings
-        return tuple(
-            sorted(
-                key
-                for key, crossing in self.edited.crossings.items()
-                if (known := base.get(key)) is not None and known is not crossing and known != crossing
-            )
-        )
+        base, edited = self.base.crossings, self.edited.crossings
+        both = self._of_kind(ElementKind.PEDESTRIAN_CROSSING, was=True, now=True)
+        return tuple(sorted(key for key in both if base[key] != edited[key]))
 
     @cached_property
     def inverse(self) -> Comparison:
@@ -237,14 +236,13 @@ class _Inverse(Comparison):
 
     def __init__(self, other: Comparison):
         self.base, self.edited, self.claims = other.edited, other.base, NO_CLAIMS
-        self._renewed = sorted({*other.deleted_lanes, *other.differing_lanes})
+        self.apart = other.apart
         self._moved = other._moved
         self._moved_crossings = other._moved_crossings
         self._polygons = {}
         self._functions = {}
         self.base_graph, self.edited_graph = other.edited_graph, other.base_graph
         self.surviving_lanes = other.surviving_lanes
-        self.deleted_lanes, self.inserted_lanes = other.inserted_lanes, other.deleted_lanes
 
 
 def best_edge_distance_m(was: PedestrianCrossing, now: PedestrianCrossing) -> float:

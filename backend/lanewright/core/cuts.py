@@ -11,7 +11,7 @@ import itertools
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from lanewright.core.elements import LaneSegment, MapState
+from lanewright.core.elements import ElementKey, LaneSegment, MapState
 from lanewright.core.geometry import readable_element
 from lanewright.core.identity import joinable, with_lanes_exchanged
 from lanewright.core.roadgraph import RoadGraph
@@ -19,17 +19,16 @@ from lanewright.core.series import Run
 from lanewright.core.survey import Survey, parts_recorded
 
 
-def cut_alike(base: MapState, edited: MapState, renewed: Iterable[int]) -> tuple[MapState, MapState]:
+def cut_alike(base: MapState, edited: MapState, apart: Iterable[ElementKey]) -> tuple[MapState, MapState]:
     """Both maps with the cuts that the other one records; the very same objects where there are none.
 
-    ``renewed``: lanes of the edited map that are not the base's own objects; only they can be new parts.
+    ``apart``: what is not one object in both maps; only among those can be new parts.
     """
-    before = Survey.of(base).fact(parts_recorded)
+    before = Survey(base).fact(parts_recorded)
     after: dict[int, list[int]] = {}
-    for key in renewed:
-        whole = edited.lanes[key].part_of
-        if whole is not None:
-            after.setdefault(whole, []).append(key)
+    for element in map(edited.get, sorted(apart)):
+        if isinstance(element, LaneSegment) and element.part_of is not None:
+            after.setdefault(element.part_of, []).append(element.id)
     if not before and not after:
         return base, edited
     return cut_like(base, edited, after), cut_like(edited, base, before)

@@ -46,44 +46,45 @@ def apply_edits(state: MapState, edits: Iterable[Edit], *, drawn: bool = False) 
     Raises:
         InvalidInput: an edit names an element that is not there (or already is), or has unusable attributes.
     """
-    elements: dict[ElementKey, Element] = {element.key: element for element in state}
+    edited: dict[ElementKey, Element | None] = {}
     for edit in edits:
+        known = edited[edit.key] if edit.key in edited else state.get(edit.key)
         try:
-            _apply_one(elements, edit, drawn)
+            edited[edit.key] = _applied(edit, known, drawn)
         except InvalidInput as error:
             raise error.within(element=f"{edit.kind.value} {edit.id}") from None
-    return MapState.of(elements.values())
+    put_in = [element for element in edited.values() if element is not None]
+    return state.replaced(put_in, [key for key, element in edited.items() if element is None])
 
 
-def _apply_one(elements: dict[ElementKey, Element], edit: Edit, drawn: bool) -> None:
-    known = elements.get(edit.key)
+def _applied(edit: Edit, known: Element | None, drawn: bool) -> Element | None:
+    """What an edit makes of the element of its key; None: there is none."""
     if edit.operation is Operation.INSERT:
         if known is not None:
             raise InvalidInput("is inserted but already there", "Use an update, or a new id.", Place(key="id"))
-        elements[edit.key] = parse_element(edit.kind, {**edit.attributes, "id": edit.id}, drawn=drawn)
-        return
+        return parse_element(edit.kind, {**edit.attributes, "id": edit.id}, drawn=drawn)
     if known is None:
         raise InvalidInput(
             f"cannot be {edit.operation.value}d: it is not in the map", "Reload the task.", Place(key="id")
         )
     if edit.operation is Operation.DELETE:
-        del elements[edit.key]
-        return
+        return None
     if edit.attributes.get("id", edit.id) != edit.id:
         raise InvalidInput("changes its id", "Delete it and insert another.", Place(key="id"))
-    elements[edit.key] = dataclasses.replace(known, **parse_attributes(edit.kind, edit.attributes, drawn=drawn))
+    return dataclasses.replace(known, **parse_attributes(edit.kind, edit.attributes, drawn=drawn))
 
 
 def edits_between(before: MapState, after: MapState) -> tuple[Edit, ...]:
     """The smallest edits that turn ``before`` into ``after``: deletes, updates, inserts, each by kind and id."""
-    old = {element.key: element for element in before}
-    new = {element.key: element for element in after}
-    deletes = [Edit(Operation.DELETE, *key) for key in sorted(old.keys() - new.keys())]
-    inserts = [Edit(Operation.INSERT, *key, element_attributes(new[key])) for key in sorted(new.keys() - old.keys())]
-    updates = []
-    for key in sorted(old.keys() & new.keys()):
-        if old[key] is not new[key] and old[key] != new[key]:
-            was, now = element_attributes(old[key]), element_attributes(new[key])
+    deletes, updates, inserts = [], [], []
+    for key in sorted(before.apart(after)):
+        old, new = before.get(key), after.get(key)
+        if new is None:
+            deletes.append(Edit(Operation.DELETE, *key))
+        elif old is None:
+            inserts.append(Edit(Operation.INSERT, *key, element_attributes(new)))
+        elif old != new:
+            was, now = element_attributes(old), element_attributes(new)
             changed = {name: now.get(name) for name in {**was, **now} if now.get(name) != was.get(name)}
             updates.append(Edit(Operation.UPDATE, *key, changed))
     return (*deletes, *updates, *inserts)

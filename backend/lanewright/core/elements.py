@@ -6,11 +6,11 @@ and compare by value, so two map states can be compared element by element.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 Point = tuple[float, float, float]
 """x, y, z in metres, city frame."""
@@ -118,10 +118,16 @@ Element = LaneSegment | PedestrianCrossing
 
 @dataclass(frozen=True, slots=True)
 class MapState:
-    """All elements of one log at one moment. Drivable areas are carried by the file template, not here."""
+    """All elements of one log at one moment. Drivable areas are carried by the file template, not here.
 
-    lanes: Mapping[int, LaneSegment] = field(default_factory=dict)
-    crossings: Mapping[int, PedestrianCrossing] = field(default_factory=dict)
+    ``facts``: what is known of the state (core.survey); it never changes, so a fact once found stays true.
+    """
+
+    lanes: MappingProxyType[int, LaneSegment] = field(default_factory=lambda: MappingProxyType({}))
+    crossings: MappingProxyType[int, PedestrianCrossing] = field(default_factory=lambda: MappingProxyType({}))
+    facts: dict[Any, Any] = field(default_factory=dict, init=False, repr=False, compare=False)
+    _origin: tuple[MapState, frozenset[ElementKey]] | None = field(default=None, repr=False, compare=False)
+    """The state that this one was made from by edits, and all keys that were edited since."""
 
     @classmethod
     def of(cls, elements: Iterable[Element]) -> MapState:
@@ -153,9 +159,35 @@ class MapState:
 
     def replaced(self, elements: Iterable[Element], removed: Iterable[ElementKey] = ()) -> MapState:
         """A new state: ``removed`` taken out, then ``elements`` put in (replacing those of equal key)."""
-        gone = set(removed)
-        kept = (element for element in self if element.key not in gone)
-        return MapState.of([*kept, *elements])
+        lanes, crossings = self.lanes.copy(), self.crossings.copy()
+        edited = set(removed)
+        for kind, key in edited:
+            if kind is ElementKind.LANE_SEGMENT:
+                lanes.pop(key, None)
+            else:
+                crossings.pop(key, None)
+        for element in elements:
+            edited.add(element.key)
+            if isinstance(element, LaneSegment):
+                lanes[element.id] = element
+            else:
+                crossings[element.id] = element
+        origin, before = self._origin or (self, frozenset())
+        return MapState(MappingProxyType(lanes), MappingProxyType(crossings), (origin, before | edited))
+
+    def apart(self, other: MapState) -> set[ElementKey]:
+        """Keys of the elements that are not one and the same object in both states.
+
+        Costs by what was edited where one state was made from the other, or both from a third.
+        """
+        origin, mine = self._origin or (self, frozenset())
+        others_origin, theirs = other._origin or (other, frozenset())
+        keys: Iterable[ElementKey] = mine | theirs
+        if origin is not others_origin:
+            lanes, crossings = self.lanes.keys() | other.lanes.keys(), self.crossings.keys() | other.crossings.keys()
+            keys = [ElementKey(ElementKind.LANE_SEGMENT, key) for key in lanes]
+            keys += [ElementKey(ElementKind.PEDESTRIAN_CROSSING, key) for key in crossings]
+        return {key for key in keys if self.get(key) is not other.get(key)}
 
 
 def levelled(element: Element) -> Element:

@@ -7,6 +7,7 @@ finite cannot be read; such lines compare by value and have no shape.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -28,6 +29,9 @@ _DENSIFIED_M = 0.5
 _MOST_DENSIFIED = 2_000
 _FLAT_M = 1e-9
 _MOST_AT_ONCE = 500_000
+_A_FEW = 8
+_GRID_M = 1e-3
+_MOST_MENDED = 100
 
 
 def plan(line: Line) -> Plan:
@@ -60,31 +64,65 @@ def lines_of(element: Element) -> tuple[Line, Line]:
 
 
 def hausdorff_m(one: Line, other: Line) -> float:
-    """2-D Hausdorff distance between two lines, each densified to 0.5 m (coarser on lines beyond 1 km).
-
-    Points that both lines begin or end with lie on both and are passed over.
-    """
+    """2-D Hausdorff distance between two lines, each densified to 0.5 m (coarser on lines beyond 1 km)."""
     if same_plan(one, other):
         return 0.0
     if not (readable(one) and readable(other)):
         return math.inf
+    if len(one) == len(other) == 2:
+        # The distance to a straight line is convex: it is largest at an end.
+        return max(*(_from_segment_m(end, *other) for end in one), *(_from_segment_m(end, *one) for end in other))
+    return max(_furthest_m(_densified(points), line) for points, line in _both_ways(one, other))
+
+
+def moved(one: Line, other: Line) -> bool:
+    """Whether a boundary moved between two states: a Hausdorff distance of more than 5 cm (spec §3).
+
+    Mostly a few of its own points tell; the distance is worked out only where it is close to the limit.
+    """
+    if same_plan(one, other):
+        return False
+    if len(one) > 2 < len(other) and readable(one) and readable(other):
+        ways = _both_ways(one, other)
+        for step in (1 + len(one) // _A_FEW, 1):
+            if any(_strays(points[::step], line, MOVED_M + _FLAT_M) for points, line in ways):
+                return True
+        if not any(_strays(_densified(points), line, MOVED_M - _FLAT_M) for points, line in ways):
+            return False
+    return hausdorff_m(one, other) > MOVED_M
+
+
+def _both_ways(one: Line, other: Line) -> list[tuple[Plan, Plan]]:
+    """Each line with the other one to measure from; points that both begin or end with lie on both and are left out."""
     shortest = min(len(one), len(other))
     first = next((i for i in range(shortest) if one[i][:2] != other[i][:2]), shortest)
     last = next((i for i in range(shortest - first) if one[-1 - i][:2] != other[-1 - i][:2]), shortest - first)
     points = plan(one), plan(other)
-    return max(
-        _furthest_m(here[max(first - 1, 0) : len(here) - max(last - 1, 0)], there)
-        for here, there in (points, points[::-1])
-    )
+    return [(here[max(first - 1, 0) : len(here) - max(last - 1, 0)], there) for here, there in (points, points[::-1])]
+
+
+def _strays(points: Plan, line: Plan, limit_m: float) -> bool:
+    """Whether any of the points is further than that from a polyline."""
+    target = shapely.linestrings(line)
+    shapely.prepare(target)
+    return not shapely.dwithin(shapely.points(points), target, limit_m).all()
+
+
+def _from_segment_m(point: Point, start: Point, finish: Point) -> float:
+    """Distance from a point to a straight line between two others."""
+    away_x, away_y = point[0] - start[0], point[1] - start[1]
+    step_x, step_y = finish[0] - start[0], finish[1] - start[1]
+    squared = max(step_x**2 + step_y**2, _FLAT_M**2)
+    share = min(max((away_x * step_x + away_y * step_y) / squared, 0.0), 1.0)
+    return math.hypot(away_x - share * step_x, away_y - share * step_y)
 
 
 def _furthest_m(points: Plan, line: Plan) -> float:
-    """The largest distance of a point of one polyline, densified, to another."""
-    dense = _densified(points)
+    """The largest distance of any of the points to a polyline."""
     starts, steps = line[:-1], np.diff(line, axis=0)
     squared = np.maximum((steps**2).sum(axis=1), _FLAT_M**2)
     furthest = 0.0
-    for chunk in np.array_split(dense, max(1, len(dense) * len(steps) // _MOST_AT_ONCE)):
+    for chunk in np.array_split(points, max(1, len(points) * len(steps) // _MOST_AT_ONCE)):
         away = chunk[:, None, :] - starts
         share = np.clip((away * steps).sum(axis=2) / squared, 0.0, 1.0)
         gap = away - share[:, :, None] * steps
@@ -103,11 +141,6 @@ def _densified(points: Plan) -> Plan:
     share = (np.arange(len(index)) - np.repeat(np.cumsum(counts) - counts, counts)) / counts[index]
     dense: Plan = points[index] + share[:, None] * np.diff(points, axis=0)[index]
     return np.vstack([dense, points[-1:]])
-
-
-def moved(one: Line, other: Line) -> bool:
-    """Whether a boundary moved between two states (spec §3)."""
-    return not same_plan(one, other) and hausdorff_m(one, other) > MOVED_M
 
 
 def length_m(points: Plan) -> float:
@@ -158,19 +191,34 @@ def turned(before: float, after: float) -> float:
 def polygon(element: Element) -> Shape:
     """The area an element covers: left plus reversed right, or the hull of a crossing's corners.
 
-    Invalid rings are repaired, so areas and distances are defined; unreadable elements give an empty polygon.
+    Invalid rings are repaired, so areas and distances are defined; of a long ring that crosses itself (it may do so as
+    often as its points squared) the hull is taken. Unreadable elements give an empty polygon.
     """
     if not readable_element(element):
         return shapely.Polygon()
     one, other = (plan(line) for line in lines_of(element))
     if isinstance(element, PedestrianCrossing):
         return shapely.convex_hull(shapely.multipoints(np.vstack([one, other])))
-    ring = shapely.linearrings(np.vstack([one, other[::-1]]))
-    shape = shapely.polygons(ring)
-    return shape if shapely.is_valid(shape) else shapely.make_valid(shape)
+    corners = np.vstack([one, other[::-1]])
+    shape = shapely.polygons(shapely.linearrings(corners))
+    if shapely.is_valid(shape):
+        return shape
+    return shapely.make_valid(shape, method="structure") if len(corners) <= _MOST_MENDED else shapely.convex_hull(shape)
 
 
 def overlap(one: Shape, other: Shape) -> float:
     """Intersection over union of two areas, 0 where neither has any."""
-    union = shapely.area(shapely.union(one, other))
-    return float(shapely.area(shapely.intersection(one, other)) / union) if union > 0 else 0.0
+    return float(overlaps(one, [other])[0])
+
+
+def overlaps(one: Shape, others: Sequence[Shape]) -> npt.NDArray[np.float64]:
+    """Intersection over union of an area with each of others, shape (n,)."""
+    try:
+        common = shapely.area(shapely.intersection(one, others))
+    except shapely.GEOSException:
+        # Lanes of thousands of kilometres and no width: on a grid every shape can be intersected.
+        on_grid = shapely.set_precision([one, *others], _GRID_M)
+        common = shapely.area(shapely.intersection(on_grid[0], on_grid[1:], grid_size=_GRID_M))
+    union = shapely.area(one) + shapely.area(others) - common
+    shares: npt.NDArray[np.float64] = np.divide(common, union, out=np.zeros(len(others)), where=union > 0)
+    return shares

@@ -33,7 +33,7 @@ def restore(base: MapState, edited: MapState) -> MapState:
         if not comparison.differing_lanes and not comparison.differing_crossings:
             break
         restored = _restored(comparison)
-        if all(state.get(element.key) is element for element in restored):
+        if not restored.apart(state):
             break
         state = restored
     return state
@@ -42,21 +42,23 @@ def restore(base: MapState, edited: MapState) -> MapState:
 def _restored(comparison: Comparison) -> MapState:
     changed = comparison.changed_keys
     back = _ReturningLines(comparison, changed)
-    elements: dict[ElementKey, Element] = {}
-    for element in comparison.edited:
-        known = comparison.base.get(element.key)
-        if known is not None and (known is element or known == element):
-            elements[element.key] = known
-        elif isinstance(element, LaneSegment):
-            lane = back.lane(element)
-            elements[element.key] = _with_base_links(comparison, lane) if known is not None else lane
-        else:
-            elements[element.key] = known if known is not None and element.key not in changed else element
-    for key, element in elements.items():
-        known = comparison.base.get(key)
-        if known is not None and known is not element and known == element:
-            elements[key] = known
-    return MapState.of(elements.values())
+    elements: list[Element] = []
+    for key in sorted(comparison.apart):
+        element, known = comparison.edited.get(key), comparison.base.get(key)
+        if element is None:
+            continue
+        if known is not None and known == element:
+            elements.append(known)
+            continue
+        restored = element
+        if isinstance(element, LaneSegment):
+            restored = back.lane(element)
+            if known is not None:
+                restored = _with_base_links(comparison, restored)
+        elif known is not None and key not in changed:
+            restored = known
+        elements.append(known if known is not None and known == restored else restored)
+    return comparison.edited.replaced(elements)
 
 
 class _ReturningLines:

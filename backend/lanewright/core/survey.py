@@ -1,24 +1,18 @@
 """What is known of one map state, found out once: so that checking a save costs by what changed, not by the map's size.
 
-A task's base is compared with many edited maps. Facts about it are remembered for the last few states by identity;
-map states are immutable, so a fact once found stays true.
+A task's base is compared with many edited maps. Facts about it are remembered with the state itself.
 """
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Callable, Iterator
-from threading import Lock
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from lanewright.core.elements import LaneSegment, MapState
 from lanewright.core.linework import Linework
 from lanewright.core.roadgraph import RoadGraph
 
 Fact = TypeVar("Fact")
-_MOST_REMEMBERED = 4
-_recent: OrderedDict[int, Survey] = OrderedDict()
-_lock = Lock()
 
 
 class Survey:
@@ -26,25 +20,12 @@ class Survey:
 
     def __init__(self, state: MapState):
         self.state = state
-        self._facts: dict[Callable[..., Any], Any] = {}
-
-    @classmethod
-    def of(cls, state: MapState) -> Survey:
-        """The survey of a state, the same one as last time if that is recent."""
-        with _lock:
-            known = _recent.get(id(state))
-            if known is None or known.state is not state:
-                known = _recent[id(state)] = cls(state)
-            _recent.move_to_end(id(state))
-            while len(_recent) > _MOST_REMEMBERED:
-                _recent.popitem(last=False)
-            return known
 
     def fact(self, find: Callable[[MapState], Fact]) -> Fact:
         """What ``find`` says of the state, asked once."""
-        if find not in self._facts:
-            self._facts[find] = find(self.state)
-        known: Fact = self._facts[find]
+        if find not in self.state.facts:
+            self.state.facts[find] = find(self.state)
+        known: Fact = self.state.facts[find]
         return known
 
     @property
@@ -66,18 +47,6 @@ def lane_ids(state: MapState) -> frozenset[int]:
     return frozenset(state.lanes)
 
 
-def renewed_lanes(base: MapState, edited: MapState) -> list[int]:
-    """Lanes of the edited map that are not the base's own objects: the only ones that can differ."""
-    if base is edited:
-        return []
-    known = Survey.of(base).fact(_lanes).get
-    return [key for key, lane in edited.lanes.items() if known(key) is not lane]
-
-
-def _lanes(state: MapState) -> dict[int, LaneSegment]:
-    return dict(state.lanes)
-
-
 def _linework(state: MapState) -> Linework:
     return Linework(state.lanes)
 
@@ -93,11 +62,11 @@ def named_by(lane: LaneSegment) -> Iterator[int]:
 
 
 def _references(state: MapState) -> dict[int, tuple[int, ...]]:
-    found: dict[int, tuple[int, ...]] = {}
+    found: dict[int, dict[int, None]] = {}
     for key, lane in state.lanes.items():
         for other in named_by(lane):
-            found[other] = (*found.get(other, ()), key)
-    return found
+            found.setdefault(other, {})[key] = None
+    return {other: tuple(keys) for other, keys in found.items()}
 
 
 def parts_recorded(state: MapState) -> dict[int, list[int]]:

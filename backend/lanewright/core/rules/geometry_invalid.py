@@ -17,6 +17,9 @@ from lanewright.core.survey import Survey
 from lanewright.core.violations import Severity, Violation
 
 CODE = "geometry.invalid"
+_ENDS_ALONE = "FF*F*****"
+"""DE-9IM: two lines meet in no point but an end of both."""
+_MOST_MEETING = 200
 
 Defect = tuple[str, tuple[int, ...]]
 """What is wrong, in words, and which of the two lines it is about."""
@@ -35,7 +38,7 @@ def find(comparison: Comparison) -> Iterator[Violation]:
 
 
 def _defective_lanes(state: MapState) -> tuple[int, ...]:
-    return tuple(key for key in Survey.of(state).linework.doubtful() if defects_of(state.lanes[key]))
+    return tuple(key for key in Survey(state).linework.doubtful() if defects_of(state.lanes[key]))
 
 
 def _defective_crossings(state: MapState) -> tuple[int, ...]:
@@ -130,8 +133,10 @@ def signed_area_m2(ring: Plan) -> float:
 def crosses(one: Plan, other: Plan) -> bool:
     """Whether two lines meet anywhere but in a common end (a lane may taper to a point)."""
     lines = shapely.linestrings(one), shapely.linestrings(other)
-    if not shapely.intersects(*lines):
+    if shapely.relate_pattern(*lines, _ENDS_ALONE):
         return False
+    if len(one) + len(other) > _MOST_MEETING:
+        return True  # they may meet as often as their points multiplied
     tips = {tuple(one[0]), tuple(one[-1])} & {tuple(other[0]), tuple(other[-1])}
     meeting = shapely.intersection(*lines)
     if shapely.length(meeting) > 0:

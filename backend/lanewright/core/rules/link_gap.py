@@ -38,7 +38,7 @@ def find(comparison: Comparison) -> Iterator[Violation]:
 
 
 def _gapping_links(state: MapState) -> tuple[Link, ...]:
-    graph = Survey.of(state).graph
+    graph = Survey(state).graph
     return tuple(
         (upstream, downstream)
         for upstream, others in graph.successors.items()

@@ -67,7 +67,7 @@ def one_sided_links(state: MapState) -> Iterator[Link]:
 
 def with_links_completed(base: MapState, edited: MapState) -> MapState:
     """The edited map with every link written on both sides, if the base writes them so."""
-    if Survey.of(base).fact(_writes_halves):
+    if Survey(base).fact(_writes_halves):
         return edited
     halves = list(one_sided_links(edited))
     lanes: dict[int, LaneSegment] = {}
