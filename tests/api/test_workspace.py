@@ -8,7 +8,7 @@ from sqlalchemy.orm import Session
 from tests.api.conftest import AddAccount, ClientFor
 from tests.api.desk import Desk, insert_crossing, remove_crossing, repaint, table_counts
 from tests.api.desk import update as change
-from tests.stored_logs import add_log
+from tests.stored_logs import add_log, lane
 
 from lanewright.api.schemas.findings import Findings
 from lanewright.api.schemas.tasks import DraftOut, Drive, Workspace
@@ -164,9 +164,26 @@ def test_an_id_is_never_used_for_something_else_but_a_deletion_can_be_taken_back
     mine = desk.new_id()
     desk.saved(insert_crossing(mine))
     desk.saved({"operation": "delete", "kind": "pedestrian_crossing", "id": mine, "attributes": {}}, base=1)
-    elsewhere = desk.save(insert_crossing(mine, x=14.0), base=2)
-    assert (elsewhere.status_code, elsewhere.json()["code"]) == (422, "identity.reused")
+    elsewhere = insert_crossing(mine, x=14.0)
+    refused = desk.save(elsewhere, base=2)
+    assert (refused.status_code, refused.json()["code"]) == (422, "save.violations")
+    (violation,) = refused.json()["facts"]["violations"]
+    assert (violation["code"], violation["elements"]) == ("identity.reused", [mine])
+    (found,) = desk.check(elsewhere, base=2).json()["violations"]
+    (fix,) = found["fixes"]
+    assert [(one["operation"], one["id"] == mine) for one in fix["edits"]] == [("delete", True), ("insert", False)]
     assert desk.saved(insert_crossing(mine, x=10.5), base=2)["revision"] == 3
+
+
+def test_a_lane_cannot_have_the_id_of_a_crossing(desk: Desk) -> None:
+    mine = desk.new_id()
+    attributes = {name: value for name, value in lane(mine, left_neighbor_id=None).items() if name != "id"}
+    drawn = {"operation": "insert", "kind": "lane_segment", "id": mine, "attributes": attributes}
+    together = desk.check(insert_crossing(mine), drawn)
+    desk.saved(insert_crossing(mine))
+    for refused in (together, desk.save(drawn, base=1)):
+        assert (refused.status_code, refused.json()["code"]) == (422, "ids.taken")
+        assert str(mine) in refused.json()["message"]
 
 
 def test_a_deleted_element_of_the_base_can_be_brought_back(desk: Desk) -> None:

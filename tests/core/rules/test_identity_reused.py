@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from tests.core.worlds import straight, world
+from tests.core.worlds import crossing, straight, world
 
 from lanewright.core.claims import Claims
 from lanewright.core.edits import apply_edits
+from lanewright.core.elements import ElementKind
 from lanewright.core.rules import check
 
 CODE = "identity.reused"
@@ -31,3 +32,13 @@ def test_broken_another_lane_under_the_old_id():
 
 def test_edge_without_a_history_nothing_is_known():
     assert check(BASE, world(BASE.lanes[1], straight(9, 200, 260))) == ()
+
+
+def test_broken_a_crossing_under_the_old_id_of_a_lane():
+    drawn = crossing(9, 10)
+    edited = world(BASE.lanes[1], drawn)
+    (violation,) = check(BASE, edited, CLAIMS)
+    assert (violation.code, violation.kind, violation.elements) == (CODE, ElementKind.PEDESTRIAN_CROSSING, (9,))
+    after = apply_edits(edited, violation.fixes[0].edits)
+    assert codes(after) == []
+    assert [one.edge1 for one in after.crossings.values()] == [drawn.edge1]

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import shapely
 
 from lanewright.core.comparison import Comparison, same_crossing
-from lanewright.core.elements import ElementKey, ElementKind
-from lanewright.core.geometry import polygon
+from lanewright.core.elements import Element, ElementKey, ElementKind
+from lanewright.core.geometry import polygon, readable_element
 from lanewright.core.identity import fresh_id, renamed
 from lanewright.core.places import FAR_M
 from lanewright.core.rules.rule import Remedy, Rule
@@ -19,25 +19,31 @@ CODE = "identity.reused"
 
 def find(comparison: Comparison) -> Iterator[Violation]:
     """Violations for inserted elements under an id that was deleted before, unless the same thing came back."""
-    for key, retired in sorted(comparison.claims.retired.items(), key=lambda item: item[0]):
-        now = comparison.edited.get(key)
-        if now is None or comparison.base.get(key) is not None:
-            continue
-        was, is_now = polygon(retired), comparison.shape(key, edited=True)
-        same = (
-            same_crossing(was, is_now)
-            if key.kind is ElementKind.PEDESTRIAN_CROSSING
-            else shapely.distance(was, is_now) <= FAR_M
-        )
-        if not same:
-            noun = "Lane" if key.kind is ElementKind.LANE_SEGMENT else "Crossing"
-            yield Violation(
-                CODE,
-                Severity.ERROR,
-                key.kind,
-                (key.id,),
-                f"{noun} {key.id} has the id of an element that was deleted earlier: a new element needs a new id.",
-            )
+    told: set[ElementKey] = set()
+    for retired, was in sorted(comparison.claims.retired.items(), key=lambda item: item[0]):
+        for kind in ElementKind:
+            key = ElementKey(kind, retired.id)
+            now = comparison.edited.get(key)
+            if now is None or key in comparison.base or key in told or not readable_element(now):
+                continue
+            if key not in comparison.claims.retired or (key == retired and not _same(comparison, was, key)):
+                told.add(key)
+                noun = "Lane" if kind is ElementKind.LANE_SEGMENT else "Crossing"
+                yield Violation(
+                    CODE,
+                    Severity.ERROR,
+                    kind,
+                    (key.id,),
+                    f"{noun} {key.id} has the id of an element that was deleted earlier: a new element needs a new id.",
+                )
+
+
+def _same(comparison: Comparison, was: Element, key: ElementKey) -> bool:
+    """Whether the element stands where the retired one stood."""
+    before, now = polygon(was), comparison.shape(key, edited=True)
+    if key.kind is ElementKind.PEDESTRIAN_CROSSING:
+        return same_crossing(before, now)
+    return bool(shapely.distance(before, now) <= FAR_M)
 
 
 def remedies(comparison: Comparison, violation: Violation) -> Iterator[Remedy]:
