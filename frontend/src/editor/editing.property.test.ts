@@ -6,6 +6,7 @@ import type { Line, LineName } from "./elements";
 import { equalElements } from "./equality";
 import { boundary, lineOf } from "./lines";
 import { MARKS } from "./marks";
+import { alongLine } from "./polyline";
 import type { Editor } from "./state";
 import { createEditor } from "./store";
 import { brokenInvariants } from "./testInvariants";
@@ -75,6 +76,33 @@ const steps: fc.Arbitrary<{ name: string; run: Step }> = fc.oneof(
       const { base, current } = editor.getState();
       const lane = pick([...base.lanes.values(), ...current.lanes.values()], where);
       if (lane) editor.actions.revertElement({ kind: "lane_segment", id: lane.id });
+    },
+  })),
+  fc.tuple(share, share).map(([where, along]) => ({
+    name: `cut ${where} ${along}`,
+    run: async (editor: Editor) => {
+      const lane = someLane(editor, where);
+      const place = lane && alongLine(lane.left_lane_boundary, along);
+      if (lane && place) await editor.actions.cutLane(lane.id, place, 0.5);
+    },
+  })),
+  share.map((where) => ({
+    name: `join ${where}`,
+    run: (editor: Editor) => {
+      const parts = [...editor.getState().current.lanes.values()].filter(({ part_of }) => part_of !== null);
+      const lane = pick(parts, where);
+      if (lane) editor.actions.joinLane(lane.id);
+    },
+  })),
+  share.map((where) => ({
+    name: `reverse ${where}`,
+    run: (editor: Editor) => {
+      const { base, current } = editor.getState();
+      const lane = pick(
+        [...current.lanes.values()].filter(({ id }) => !base.lanes.has(id)),
+        where,
+      );
+      if (lane) editor.actions.reverseLane(lane.id);
     },
   })),
   share.map((where) => ({

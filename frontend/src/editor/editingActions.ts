@@ -1,6 +1,8 @@
 /** Everything that changes the map. */
+import { idsForCut, planCut, planJoin } from "./actions/cuts";
 import { planCrossing, planDrawnLane, planLaneBeside } from "./actions/insertion";
 import { planDeletion, planIntersection, planLaneType, planMark } from "./actions/properties";
+import { planReversal } from "./actions/reversal";
 import { planRevert } from "./actions/revert";
 import { planElementMove, planVertexInsertion, planVertexMove, planVertexRemoval } from "./actions/vertices";
 import { elementOf, type MapDocument } from "./document";
@@ -10,6 +12,9 @@ import type { Planned } from "./plan";
 import { distance } from "./polyline";
 import { NO_IDS, type Stage } from "./stage";
 import type { EditorActions, Inserted, Outcome } from "./state";
+
+const CUT =
+  "Lane cut. Now change a mark, the type or the intersection of one part: only a difference makes the cut legal.";
 
 type EditingActions = Omit<
   EditorActions,
@@ -36,15 +41,17 @@ export function editingActions(stage: Stage): EditingActions {
 
   const insert = async (
     kind: ElementKind,
-    plan: (document: MapDocument, id: number) => Planned,
+    plan: (document: MapDocument, id: number, others: readonly number[]) => Planned,
+    count = 1,
   ): Promise<Inserted> => {
-    let id: number;
+    const ids: number[] = [];
     try {
-      id = await stage.newId(kind);
+      while (ids.length < count) ids.push(await stage.newId(kind));
     } catch {
       return stage.refuse(NO_IDS);
     }
-    const outcome = stage.run((document) => plan(document, id));
+    const [id = 0, ...others] = ids;
+    const outcome = stage.run((document) => plan(document, id, others));
     return outcome.ok ? { ok: true, key: { kind, id } } : outcome;
   };
 
@@ -117,6 +124,23 @@ export function editingActions(stage: Stage): EditingActions {
       insert("lane_segment", (document, id) => planLaneBeside(document, lane, side, id, width)),
     drawLane,
     insertCrossing,
+    cutLane: async (lane, at, reach) => {
+      const { base } = stage.state;
+      const done = await insert(
+        "lane_segment",
+        (document, id, others) => planCut(base, document, lane, at, reach, [id, ...others]),
+        idsForCut(base, lane),
+      );
+      if (done.ok) stage.say(CUT);
+      return done;
+    },
+    joinLane: (lane) => {
+      const done = stage.run((document) => planJoin(stage.state.base, document, lane));
+      const note = stage.state.history.done.at(-1)?.note;
+      if (done.ok && note !== undefined) stage.say(`${note}.`);
+      return done;
+    },
+    reverseLane: (lane) => stage.run((document) => planReversal(stage.state.base, document, lane)),
     sketchPoint: (at) => {
       const points = stage.state.sketch?.points ?? [];
       const last = points.at(-1);

@@ -32,9 +32,10 @@ function allAttributes(element: MapElement): EditAttributes {
   if (element.kind === "pedestrian_crossing") {
     return { edge1: wireLine(element.attributes.edge1), edge2: wireLine(element.attributes.edge2) };
   }
+  const omitted = element.attributes.part_of === null ? ["id", "part_of"] : ["id"];
   return laneAttributes(
     element.attributes,
-    LANE_ATTRIBUTES.filter((name) => name !== "id"),
+    LANE_ATTRIBUTES.filter((name) => !omitted.includes(name)),
   );
 }
 
@@ -67,6 +68,7 @@ function laneAttributes(lane: Lane, names: readonly (keyof Lane)[]): EditAttribu
     predecessors: [...lane.predecessors],
     right_neighbor_id: lane.right_neighbor_id,
     left_neighbor_id: lane.left_neighbor_id,
+    part_of: lane.part_of,
   };
   const wanted: ReadonlySet<string> = new Set(names);
   return Object.fromEntries(Object.entries(wire).filter(([name]) => wanted.has(name)));

@@ -55,6 +55,8 @@ export interface Lane {
   readonly predecessors: readonly number[];
   readonly right_neighbor_id: number | null;
   readonly left_neighbor_id: number | null;
+  /** The imported lane of which a cut made this a part; null: no part. */
+  readonly part_of: number | null;
 }
 
 /** A pedestrian crossing: two edges of two points along the walking direction. */

@@ -28,6 +28,7 @@ const LANE_EQUALITY: { readonly [Name in keyof Lane]: (a: Lane, b: Lane) => bool
   predecessors: (a, b) => equalLists(a.predecessors, b.predecessors),
   right_neighbor_id: (a, b) => a.right_neighbor_id === b.right_neighbor_id,
   left_neighbor_id: (a, b) => a.left_neighbor_id === b.left_neighbor_id,
+  part_of: (a, b) => a.part_of === b.part_of,
 };
 
 export const LANE_ATTRIBUTES = Object.keys(LANE_EQUALITY) as readonly (keyof Lane)[];

@@ -21,6 +21,7 @@ export type {
   VertexRef,
 } from "./elements";
 export { isSide, keyText, otherSide, parseKey } from "./elements";
+export { type Joint, stationOf } from "./joint";
 export { commandOf, KEY_TABLE, type KeyBinding, type KeyCommand, type KeyPress, nudgeOf } from "./keys";
 export { boundary, lineNames, lineOf, markOf, neighborOf, ringOf } from "./lines";
 export {
@@ -34,10 +35,11 @@ export {
   stripesOf,
 } from "./marks";
 export { centreOf, laneLength, laneWidth, measuresOf, widthAt } from "./measure";
+export { baseCutAlike } from "./parts";
 export { elementsAt } from "./picking";
 export { boxOf } from "./polygon";
 export { centreline } from "./polyline";
-export { besideTarget, previewOf } from "./preview";
+export { besideTarget, cutPreview, cutTarget, previewOf } from "./preview";
 export { type Catch, snap, snapToLaneEnd } from "./snapping";
 export type {
   CreateEditor,

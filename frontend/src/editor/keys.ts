@@ -5,6 +5,9 @@ export type KeyCommand =
   | "tool_draw_lane"
   | "tool_lane_beside"
   | "tool_draw_crossing"
+  | "tool_cut"
+  | "join"
+  | "reverse"
   | "cancel"
   | "finish"
   | "undo"
@@ -55,6 +58,13 @@ export const KEY_TABLE: readonly KeyBinding[] = [
   },
   { command: "tool_lane_beside", keys: ["b"], label: "B", words: "Lane beside another", group: "Tools" },
   {
+    command: "tool_cut",
+    keys: ["x"],
+    label: "X",
+    words: "Cut a lane where a property changes",
+    group: "Tools",
+  },
+  {
     command: "finish",
     keys: ["enter"],
     label: "Enter",
@@ -99,6 +109,20 @@ export const KEY_TABLE: readonly KeyBinding[] = [
     keys: ["a"],
     label: "A",
     words: "Add a vertex after the selected one",
+    group: "Edit",
+  },
+  {
+    command: "join",
+    keys: ["c"],
+    label: "C",
+    words: "Join the selected lane with the one in series that it was cut from",
+    group: "Edit",
+  },
+  {
+    command: "reverse",
+    keys: ["v"],
+    label: "V",
+    words: "Turn the selected lane round (one that you drew)",
     group: "Edit",
   },
   {

@@ -1,7 +1,8 @@
 /** What the tool in hand would make if the cursor were clicked (or Enter pressed) here. */
 import { planCrossing, planDrawnLane, planLaneBeside } from "./actions/insertion";
 import type { MapDocument } from "./document";
-import { isSide, type MapElement, type Place, type Side } from "./elements";
+import { type ElementKey, isSide, type MapElement, type Place, type Side } from "./elements";
+import { type Joint, jointAt } from "./joint";
 import { elementsAt, nearestLineName } from "./picking";
 import { isRefusal, type Planned } from "./plan";
 import type { EditorState } from "./state";
@@ -21,6 +22,30 @@ export function besideTarget(
     if (side !== undefined && isSide(side)) return { lane: key.id, side };
   }
   return null;
+}
+
+/** The lane that a click would cut: the selected one if it lies there, else the topmost. */
+export function cutTarget(
+  document: MapDocument,
+  place: Place,
+  tolerance: number,
+  selected: ElementKey | null,
+): number | null {
+  const lanes = elementsAt(document, place, tolerance).filter(({ kind }) => kind === "lane_segment");
+  const there = lanes.find(({ id }) => selected?.kind === "lane_segment" && id === selected.id);
+  return (there ?? lanes[0])?.id ?? null;
+}
+
+/** Where a click would cut which lane; null: nowhere. */
+export function cutPreview(
+  { current, selection }: Pick<EditorState, "current" | "selection">,
+  cursor: Place,
+  tolerance: number,
+): { lane: number; joint: Joint } | null {
+  const id = cutTarget(current, cursor, tolerance, selection);
+  const lane = id === null ? undefined : current.lanes.get(id);
+  const joint = lane && jointAt(current, lane, cursor, tolerance);
+  return lane && joint ? { lane: lane.id, joint } : null;
 }
 
 export function previewOf(

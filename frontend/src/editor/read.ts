@@ -36,8 +36,9 @@ export function readLane(attributes: Attributes, id: number, known: Lane | null 
     right_lane_mark_type: read("right_lane_mark_type", readMark, known?.right_lane_mark_type),
     successors: read("successors", readIds, known?.successors),
     predecessors: read("predecessors", readIds, known?.predecessors),
-    right_neighbor_id: read("right_neighbor_id", readNeighbor, known?.right_neighbor_id),
-    left_neighbor_id: read("left_neighbor_id", readNeighbor, known?.left_neighbor_id),
+    right_neighbor_id: read("right_neighbor_id", readId, known?.right_neighbor_id),
+    left_neighbor_id: read("left_neighbor_id", readId, known?.left_neighbor_id),
+    part_of: read("part_of", readId, known === null ? null : known.part_of),
   };
 }
 
@@ -70,7 +71,7 @@ function readIds(value: unknown, name: string): readonly number[] {
   );
 }
 
-function readNeighbor(value: unknown, name: string): number | null {
+function readId(value: unknown, name: string): number | null {
   if (value === null || Number.isSafeInteger(value)) return value as number | null;
   return fail(name, "an id or null");
 }

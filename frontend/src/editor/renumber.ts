@@ -4,7 +4,7 @@ import { type ElementKey, type ElementKind, type KeyText, keyText } from "./elem
 import type { ReceivedEdit } from "./wire";
 
 const LISTS = ["successors", "predecessors"];
-const NEIGHBORS = ["left_neighbor_id", "right_neighbor_id"];
+const REFERENCES = ["left_neighbor_id", "right_neighbor_id", "part_of"];
 
 /** What the edits insert that none of the maps knows. */
 export function strangers(edits: readonly ReceivedEdit[], maps: readonly MapDocument[]): ElementKey[] {
@@ -25,7 +25,7 @@ export function renumbered(
   const attribute = (kind: ElementKind, name: string, value: unknown): unknown => {
     if (name === "id") return own(kind, value);
     if (LISTS.includes(name) && Array.isArray(value)) return value.map((id) => own("lane_segment", id));
-    return NEIGHBORS.includes(name) ? own("lane_segment", value) : value;
+    return REFERENCES.includes(name) ? own("lane_segment", value) : value;
   };
   return edits.map(({ operation, kind, id, attributes = {} }) => ({
     operation,

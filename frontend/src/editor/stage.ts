@@ -4,6 +4,7 @@ import { changedElements } from "./classification";
 import { applyChanges, elementOf, type MapDocument, reverseChanges } from "./document";
 import type { IdSource } from "./ids";
 import { lineOf } from "./lines";
+import { baseCutAlike } from "./parts";
 import { isRefusal, type Planned } from "./plan";
 import type { EditorState, Outcome, Selection } from "./state";
 
@@ -66,7 +67,7 @@ export class Stage {
       current,
       staged: null,
       selection: standing(current, selection),
-      changedKeys: changedElements(this.state.base, current),
+      changedKeys: changedElements(baseCutAlike(this.state.base, current), current),
     });
   }
 

@@ -4,7 +4,7 @@ import type { Change, MapDocument } from "./document";
 import type { ElementKey, KeyText, LaneType, LineName, Mark, Place, Side, VertexRef } from "./elements";
 import type { Edit, EditorSavedRevision, EditorWorkspace, IdBlock, ReceivedEdit } from "./wire";
 
-export type Tool = "select" | "draw_lane" | "lane_beside" | "draw_crossing";
+export type Tool = "select" | "draw_lane" | "lane_beside" | "draw_crossing" | "cut";
 
 /** The selected element, and the line and vertex of it that the next key acts on. */
 export interface Selection extends ElementKey {
@@ -121,6 +121,12 @@ export interface EditorActions {
   drawLane(centreline: readonly Place[], options?: DrawLaneOptions): Promise<Inserted>;
   /** A crossing from kerb to kerb; `width` in metres, default 3. */
   insertCrossing(from: Place, to: Place, width?: number): Promise<Inserted>;
+  /** Cuts a lane where a property is to change half-way; `reach`: metres to a vertex that the joint goes onto. */
+  cutLane(lane: number, at: Place, reach: number): Promise<Inserted>;
+  /** Makes the lane and the one in series with it one again. */
+  joinLane(lane: number): Outcome;
+  /** Turns a lane round that was drawn in this task. */
+  reverseLane(lane: number): Outcome;
   /** A click of the drawing tool in hand. */
   sketchPoint(at: Place): void;
   sketchBack(): void;

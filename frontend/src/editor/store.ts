@@ -3,6 +3,7 @@ import { createStore } from "zustand/vanilla";
 import { changedElements } from "./classification";
 import { editingActions } from "./editingActions";
 import { IdSource } from "./ids";
+import { baseCutAlike } from "./parts";
 import { readMap } from "./read";
 import { savingActions } from "./savingActions";
 import { selectionActions } from "./selectionActions";
@@ -27,7 +28,7 @@ export const createEditor: CreateEditor = (workspace, takeIds) => {
     staged: null,
     sketch: null,
     notice: null,
-    changedKeys: changedElements(base, saved),
+    changedKeys: changedElements(baseCutAlike(base, saved), saved),
   }));
   const stage = new Stage(store, new IdSource(takeIds));
   const actions = { ...selectionActions(stage), ...editingActions(stage), ...savingActions(stage) };

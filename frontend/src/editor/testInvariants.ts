@@ -50,7 +50,8 @@ function brokenSharing(base: MapDocument, map: MapDocument): string[] {
     for (const side of SIDES) {
       const other = map.lanes.get(neighborOf(lane, side) ?? -1);
       if (!other || (base.lanes.has(lane.id) && base.lanes.has(other.id))) continue;
-      compare(lane, side, other, side === "left" ? "right" : "left", false, true);
+      const oncoming = side === "left" && neighborOf(other, "left") === lane.id;
+      compare(lane, side, other, oncoming || side === "right" ? "left" : "right", oncoming, true);
     }
   }
   return broken;

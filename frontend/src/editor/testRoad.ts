@@ -37,6 +37,7 @@ function lane({ left, right, ...rest }: LaneSketch): Lane {
     predecessors: [],
     right_neighbor_id: null,
     left_neighbor_id: null,
+    part_of: null,
     ...rest,
   };
 }

@@ -20,6 +20,8 @@ interface WireLane {
   readonly predecessors: readonly number[];
   readonly right_neighbor_id: number | null;
   readonly left_neighbor_id: number | null;
+  /** Left out: no part. */
+  readonly part_of?: number | null;
 }
 
 interface WireCrossing {
@@ -69,6 +71,7 @@ export interface EditAttributes {
   predecessors?: number[];
   right_neighbor_id?: number | null;
   left_neighbor_id?: number | null;
+  part_of?: number | null;
   edge1?: WirePoint[];
   edge2?: WirePoint[];
 }

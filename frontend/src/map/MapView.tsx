@@ -14,6 +14,7 @@ import { MapController } from "./mapController";
 import {
   ActiveFrame,
   CatchMark,
+  CutPreview,
   HoverOutline,
   SelectionOutline,
   SketchPreview,
@@ -150,6 +151,7 @@ export function MapView({ ref, ...properties }: MapViewProperties & { ref?: Ref<
             <StagedOutlines />
             <SelectionOutline />
             <SketchPreview />
+            <CutPreview />
             {!readOnly && shown !== "base" && <Handles />}
             <CatchMark />
           </svg>

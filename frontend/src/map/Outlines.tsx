@@ -1,6 +1,7 @@
 import { useMemo } from "react";
 import {
   centreOf,
+  cutPreview,
   type ElementKey,
   keyText,
   lineNames,
@@ -113,6 +114,20 @@ export function SketchPreview() {
       })}
     </g>
   );
+}
+
+/** Where a click would cut the lane under the cursor. */
+export function CutPreview() {
+  const viewport = useViewport();
+  const tool = useEditorState((state) => state.tool);
+  const current = useEditorState((state) => state.current);
+  const selection = useEditorState((state) => state.selection);
+  const place = usePointer((state) => state.place);
+  if (tool !== "cut" || place === null) return null;
+  const preview = cutPreview({ current, selection }, place, viewport.metres(6));
+  if (preview === null) return null;
+  const { left, right } = preview.joint;
+  return <path className="map-cut" d={linePath([left, right], viewport)} data-testid="cut-preview" />;
 }
 
 function PreviewShape({ element }: { element: MapElement }) {

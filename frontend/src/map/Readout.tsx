@@ -1,4 +1,5 @@
 import {
+  cutPreview,
   isSide,
   keyText,
   laneLength,
@@ -7,6 +8,7 @@ import {
   measuresOf,
   previewOf,
   type Selection,
+  stationOf,
   widthAt,
 } from "../editor";
 import { useEditorState, usePointer, useShownElement, useViewport } from "./useOverlay";
@@ -30,6 +32,15 @@ export function Readout() {
     parts.push(...dragFigures(element, selection));
     const others = staged.changes.filter(({ key }) => keyText(key) !== keyText(selection)).length;
     if (others > 0) parts.push(`moves ${others} other ${others === 1 ? "lane" : "lanes"}`);
+  } else if (tool === "cut") {
+    const preview = cutPreview({ current, selection }, place, viewport.metres(6));
+    const lane = preview && current.lanes.get(preview.lane);
+    if (preview && lane) {
+      const { left, right } = preview.joint;
+      const before =
+        (stationOf(lane.left_lane_boundary, left) + stationOf(lane.right_lane_boundary, right)) / 2;
+      parts.push(`${metres(before, 1)} before`, `${metres(laneLength(lane) - before, 1)} after the cut`);
+    }
   } else if (tool !== "select") {
     const preview = previewOf({ tool, sketch, current }, caught?.place ?? place, viewport.metres(6));
     if (preview !== null) {

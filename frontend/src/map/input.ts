@@ -1,6 +1,6 @@
 /** Mouse on the map: hovering, picking, the clicks of drawing tools. */
 import type { MapMouseEvent } from "maplibre-gl";
-import { besideTarget, type Editor, elementsAt, type Place, snapToLaneEnd } from "../editor";
+import { besideTarget, cutTarget, type Editor, elementsAt, type Place, snapToLaneEnd } from "../editor";
 import type { MapController } from "./mapController";
 import type { Pointer } from "./pointer";
 import type { DrivePath } from "./properties";
@@ -49,6 +49,9 @@ export function attachInput(
     else if (tool === "lane_beside") {
       const target = besideTarget(current, place, viewport.metres(PICK_PIXELS));
       actions.hover(target && { kind: "lane_segment", id: target.lane });
+    } else if (tool === "cut") {
+      const id = cutTarget(current, place, viewport.metres(PICK_PIXELS), editor.getState().selection);
+      actions.hover(id === null ? null : { kind: "lane_segment", id });
     } else actions.hover(null);
   };
 
@@ -74,6 +77,14 @@ export function attachInput(
       if (target === null) actions.say("Click on a lane, near the side that the new one shall lie on.");
       else
         void actions.insertLaneBeside(target.lane, target.side).then(({ ok }) => {
+          if (ok) actions.setTool("select");
+        });
+    } else if (tool === "cut") {
+      const reach = viewport.metres(PICK_PIXELS);
+      const lane = cutTarget(current, place, reach, editor.getState().selection);
+      if (lane === null) actions.say("Click on a lane, at the place where it is to be cut.");
+      else
+        void actions.cutLane(lane, place, reach).then(({ ok }) => {
           if (ok) actions.setTool("select");
         });
     } else {

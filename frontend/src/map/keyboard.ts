@@ -14,7 +14,7 @@ export interface KeyboardOptions {
   readonly showsBase: () => boolean;
 }
 
-const EDITING: ReadonlySet<KeyCommand> = new Set(["remove", "add_vertex", "nudge"]);
+const EDITING: ReadonlySet<KeyCommand> = new Set(["remove", "add_vertex", "nudge", "join", "reverse"]);
 
 export function attachKeyboard(
   { map, region }: MapController,
@@ -33,6 +33,9 @@ export function attachKeyboard(
     tool_draw_lane: () => actions.setTool("draw_lane"),
     tool_lane_beside: () => actions.setTool("lane_beside"),
     tool_draw_crossing: () => actions.setTool("draw_crossing"),
+    tool_cut: () => actions.setTool("cut"),
+    join: () => withSelectedLane(editor, actions.joinLane),
+    reverse: () => withSelectedLane(editor, actions.reverseLane),
     cancel: () => actions.cancel(),
     finish: () => {
       if (editor.getState().sketch === null) onCommand({ name: "apply_fix" });
@@ -102,6 +105,12 @@ function isElsewhere({ target, key }: KeyboardEvent): boolean {
   if (!(target instanceof HTMLElement)) return false;
   if (target.matches("input, textarea, select, [contenteditable]")) return true;
   return target.matches("button") && (key === "Enter" || key === " ");
+}
+
+function withSelectedLane({ getState, actions }: Editor, act: (lane: number) => unknown): void {
+  const { selection } = getState();
+  if (selection?.kind === "lane_segment") act(selection.id);
+  else actions.say("Select a lane first.");
 }
 
 function addAfterSelected(editor: Editor): void {

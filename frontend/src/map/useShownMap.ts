@@ -1,5 +1,6 @@
-import { useEffect } from "react";
+import { useEffect, useMemo } from "react";
 import { useStore } from "zustand";
+import { baseCutAlike } from "../editor";
 import type { Shown } from "./layers";
 import type { MapController } from "./mapController";
 import type { MapViewProperties } from "./properties";
@@ -12,8 +13,9 @@ export function useShownMap(
 ): void {
   const { editor, categories, lidar = null, lidarOpacity = 0.6, arrows = true } = properties;
   const { drivableAreas, drive = null, theme = "dark" } = properties;
-  const base = useStore(editor, (state) => state.base);
+  const imported = useStore(editor, (state) => state.base);
   const current = useStore(editor, (state) => state.current);
+  const base = useMemo(() => baseCutAlike(imported, current), [imported, current]);
   const quick = useStore(editor, (state) => state.changedKeys);
   const colours = categories ?? quick;
 

@@ -60,6 +60,7 @@ export function planLaneBeside(
     predecessors: [],
     left_neighbor_id: side === "left" ? null : id,
     right_neighbor_id: side === "left" ? id : null,
+    part_of: null,
   };
   const work = new Workpiece(document);
   const former = neighborOf(lane, side);
@@ -97,7 +98,7 @@ function cornerNear(document: MapDocument, end: End, inner: Place, outer: Place,
 }
 
 /** Links a new lane to all lanes that end or start on exactly its corners. */
-function linkEnds(work: Workpiece, lane: Lane): void {
+export function linkEnds(work: Workpiece, lane: Lane): void {
   const start = laneEnd(lane, "start");
   const end = laneEnd(lane, "end");
   for (const from of lanesAt(work.document, "end", start.left, start.right)) joinLanes(work, from, lane.id);
@@ -143,6 +144,7 @@ export function planDrawnLane(
     predecessors: [],
     left_neighbor_id: null,
     right_neighbor_id: null,
+    part_of: null,
   };
   work.putLane(added);
   linkEnds(work, added);

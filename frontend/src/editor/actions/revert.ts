@@ -6,13 +6,15 @@ import { GONE, nameOf, type Planned, refuse, selectionOf } from "../plan";
 import { planOf } from "../planOf";
 import { sharersOf, together } from "../topology";
 import { Workpiece } from "../workpiece";
+import { undoCut } from "./cuts";
 import { withoutMention } from "./links";
 import { paint, planDeletion } from "./properties";
 import { moveCopies } from "./vertices";
 
 const SIDES: readonly Side[] = ["left", "right"];
 
-export function planRevert(base: MapDocument, document: MapDocument, key: ElementKey): Planned {
+export function planRevert(base: MapDocument, document: MapDocument, element: ElementKey): Planned {
+  const key = wholeOf(base, document, element);
   const original = elementOf(base, key);
   if (original === null) {
     const deletion = planDeletion(document, key);
@@ -26,6 +28,7 @@ export function planRevert(base: MapDocument, document: MapDocument, key: Elemen
     work.put(original);
     return planOf(work, note, selectionOf(key));
   }
+  undoCut(work, original.attributes);
   if (work.lane(key.id) === null) work.putLane(withoutMentionOfMissing(original.attributes, base, document));
   revertLinks(work, base, original.attributes);
   for (const side of SIDES) {
@@ -41,6 +44,14 @@ export function planRevert(base: MapDocument, document: MapDocument, key: Elemen
     work.putLane({ ...lane, lane_type, is_intersection });
   }
   return planOf(work, note, selectionOf(key));
+}
+
+/** The imported lane of a part; any other element itself. */
+function wholeOf(base: MapDocument, document: MapDocument, key: ElementKey): ElementKey {
+  const whole = key.kind === "lane_segment" ? (document.lanes.get(key.id)?.part_of ?? null) : null;
+  return whole !== null && base.lanes.has(whole) && !base.lanes.has(key.id)
+    ? { kind: key.kind, id: whole }
+    : key;
 }
 
 /** Ids outside the imported map are its rim and stay; ids of lanes deleted since go. */

@@ -3,7 +3,7 @@ import { IconPointer } from "@tabler/icons-react";
 import type { ComponentType } from "react";
 import { KEY_TABLE, type KeyCommand, type Tool } from "../../editor";
 import { useEditor, useWorkspace } from "./context";
-import { CrossingIcon, LaneBesideIcon, LaneIcon } from "./toolIcons";
+import { CrossingIcon, CutIcon, LaneBesideIcon, LaneIcon } from "./toolIcons";
 import classes from "./workspace.module.css";
 
 interface ToolEntry {
@@ -17,6 +17,7 @@ const TOOLS: readonly ToolEntry[] = [
   { tool: "draw_lane", command: "tool_draw_lane", icon: LaneIcon },
   { tool: "draw_crossing", command: "tool_draw_crossing", icon: CrossingIcon },
   { tool: "lane_beside", command: "tool_lane_beside", icon: LaneBesideIcon },
+  { tool: "cut", command: "tool_cut", icon: CutIcon },
 ];
 
 /** The shortest key of a command, and its words. */

@@ -37,6 +37,15 @@ export function LaneBesideIcon({ size }: { size: number }) {
   );
 }
 
+export function CutIcon({ size }: { size: number }) {
+  return (
+    <Icon size={size}>
+      <path d="M7 21v-6m0-6V3m10 18v-6m0-6V3" />
+      <path d="M3 12h18" strokeDasharray="3 3" />
+    </Icon>
+  );
+}
+
 export function CrossingIcon({ size }: { size: number }) {
   return (
     <Icon size={size}>

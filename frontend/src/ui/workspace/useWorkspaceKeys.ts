@@ -8,6 +8,7 @@ const TOOLS: Partial<Record<KeyCommand, Tool>> = {
   tool_draw_lane: "draw_lane",
   tool_lane_beside: "lane_beside",
   tool_draw_crossing: "draw_crossing",
+  tool_cut: "cut",
 };
 
 /** Commands that mean the same wherever the focus is; arrows, Enter and Delete belong to what has the focus. */

@@ -1,7 +1,7 @@
 import { Button } from "@mantine/core";
-import { IconRestore, IconTrash } from "@tabler/icons-react";
+import { IconArrowsExchange, IconArrowsJoin2, IconCut, IconRestore, IconTrash } from "@tabler/icons-react";
 import type { MapElement } from "../../../editor";
-import { useWorkspace } from "../context";
+import { useEditor, useWorkspace } from "../context";
 import classes from "./inspector.module.css";
 
 interface ElementActionsProperties {
@@ -33,6 +33,49 @@ export function ElementActions({ element, deleted, changed }: ElementActionsProp
       >
         Delete
       </Button>
+      {element.kind === "lane_segment" && !deleted && <LaneActions id={element.id} />}
     </div>
+  );
+}
+
+function LaneActions({ id }: { id: number }) {
+  const { editor, mapRef } = useWorkspace();
+  const imported = useEditor((state) => state.base.lanes.has(id));
+  const part = useEditor((state) => (state.current.lanes.get(id)?.part_of ?? null) !== null);
+  const cut = () => {
+    editor.actions.setTool("cut");
+    mapRef.current?.focus();
+  };
+  return (
+    <>
+      <Button
+        variant="default"
+        leftSection={<IconCut size={15} aria-hidden />}
+        title="Where a mark, the type or the intersection changes half-way (X)"
+        onClick={cut}
+      >
+        Cut
+      </Button>
+      {!imported && (
+        <Button
+          variant="default"
+          leftSection={<IconArrowsJoin2 size={15} aria-hidden />}
+          title="With the lane in series that it was cut from (C)"
+          onClick={() => editor.actions.joinLane(id)}
+        >
+          Join
+        </Button>
+      )}
+      {!imported && !part && (
+        <Button
+          variant="default"
+          leftSection={<IconArrowsExchange size={15} aria-hidden />}
+          title="Turn the lane round (V)"
+          onClick={() => editor.actions.reverseLane(id)}
+        >
+          Reverse
+        </Button>
+      )}
+    </>
   );
 }

@@ -1,4 +1,4 @@
-import { elementOf, keyText, type MapElement } from "../../../editor";
+import { baseCutAlike, elementOf, keyText, type MapElement } from "../../../editor";
 import { KIND_WORDS } from "../../parts/words";
 import { useEditor, useScreen, useWorkspace } from "../context";
 import { Resizer } from "../Resizer";
@@ -19,7 +19,8 @@ function useSelectedElement(): { now: MapElement | null; base: MapElement | null
   const staged = useEditor((state) => state.staged);
   if (selection === null) return { now: null, base: null };
   const change = staged?.changes.find(({ key }) => keyText(key) === keyText(selection));
-  return { now: change?.after ?? elementOf(current, selection), base: elementOf(imported, selection) };
+  const base = baseCutAlike(imported, current);
+  return { now: change?.after ?? elementOf(current, selection), base: elementOf(base, selection) };
 }
 
 export function Inspector() {
@@ -57,7 +58,9 @@ function Selected({
 }) {
   const { work } = useWorkspace();
   const task = useScreen((state) => state.task);
-  const state = now === null ? "deleted" : base === null ? "inserted" : null;
+  const whole = now?.kind === "lane_segment" && base !== null ? now.attributes.part_of : null;
+  const state =
+    now === null ? "deleted" : base === null ? "inserted" : whole === null ? null : `part of lane ${whole}`;
   return (
     <>
       <header>

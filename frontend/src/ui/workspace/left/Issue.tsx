@@ -68,7 +68,8 @@ export function Issue({ violation, commands, editable, first }: IssueProperties)
               h="auto"
               mih={28}
               py={4}
-              styles={{ label: { whiteSpace: "normal" } }}
+              justify="space-between"
+              styles={{ label: { whiteSpace: "normal", lineHeight: 1.4, textAlign: "left" } }}
               rightSection={first && index === 0 ? <kbd>Enter</kbd> : undefined}
               onClick={() => commands.applyFix(violation, index)}
             >

@@ -1,0 +1,136 @@
+/** Cutting a lane where a property changes half-way, joining what was cut, and taking a cut back. */
+import type { MapDocument } from "../document";
+import type { Lane, Line, Place, Side } from "../elements";
+import { cutLane, jointAt } from "../joint";
+import { boundary, withBoundary } from "../lines";
+import { partsOf } from "../parts";
+import { GONE, type Planned, refuse, selectionOf } from "../plan";
+import { planOf } from "../planOf";
+import { distance, hausdorff, nearestOnSegment } from "../polyline";
+import { linkedLanes, occurrencesAt } from "../topology";
+import { Workpiece } from "../workpiece";
+import { exchangeLanes } from "./series";
+
+const SIDES: readonly Side[] = ["left", "right"];
+/** Below it a boundary has not moved (change-mapping §3). */
+const MOVED_METRES = 0.05;
+/** A joint this near to the straight line past it leaves no vertex behind. */
+const ON_LINE_METRES = 0.02;
+
+/** How many new ids a cut of the lane takes: the parts of an imported lane are two lanes under new ids. */
+export function idsForCut(base: MapDocument, id: number): number {
+  return base.lanes.has(id) ? 2 : 1;
+}
+
+/** `reach`: metres around the place within which the joint goes onto a vertex. `newIds`: as many as `idsForCut` says. */
+export function planCut(
+  base: MapDocument,
+  document: MapDocument,
+  id: number,
+  place: Place,
+  reach: number,
+  newIds: readonly number[],
+): Planned {
+  const lane = document.lanes.get(id);
+  if (lane === undefined) return refuse(GONE);
+  const joint = jointAt(document, lane, place, reach);
+  if (joint === null)
+    return refuse("Cut farther from the ends of the lane: a part is at least half a metre long.");
+  const imported = base.lanes.has(id);
+  const part_of = imported ? id : lane.part_of;
+  const [one = id, other = id] = imported ? newIds : [id, ...newIds];
+  const [before, after] = cutLane(lane, joint);
+  const work = new Workpiece(document);
+  exchangeLanes(
+    work,
+    [lane],
+    [
+      { ...before, id: one, part_of },
+      { ...after, id: other, part_of },
+    ],
+  );
+  const note = `Cut lane ${id} into ${one} and ${other}`;
+  return planOf(work, note, selectionOf({ kind: "lane_segment", id: other }));
+}
+
+/** The lane and the one that it is in series with, behind or before it, made one. */
+export function planJoin(base: MapDocument, document: MapDocument, id: number): Planned {
+  const lane = document.lanes.get(id);
+  if (lane === undefined) return refuse(GONE);
+  const pairs = [onlyLink(document, lane, "after"), onlyLink(document, lane, "before")].flatMap(
+    (other, index): [Lane, Lane][] => (other === null ? [] : [index === 0 ? [lane, other] : [other, lane]]),
+  );
+  const [first] = pairs;
+  if (first === undefined) {
+    return refuse(`Lane ${id} is in series with no lane: only what follows one another alone can be joined.`);
+  }
+  const fitting = pairs.find((pair) => hindrance(base, ...pair) === null);
+  if (fitting === undefined) return refuse(hindrance(base, ...first) ?? GONE);
+  const [one, other] = fitting;
+  const work = new Workpiece(document);
+  const joined = joinedLane(base, document, one, other);
+  exchangeLanes(work, [one, other], [joined]);
+  const note =
+    joined.id === one.part_of
+      ? `Joined the parts: lane ${joined.id} is whole again`
+      : `Joined lanes ${one.id} and ${other.id}: lane ${joined.id}`;
+  return planOf(work, note, selectionOf({ kind: "lane_segment", id: joined.id }));
+}
+
+/** The lane that alone follows (precedes) another, and that it alone precedes (follows). */
+function onlyLink(document: MapDocument, lane: Lane, way: "before" | "after"): Lane | null {
+  const others = [...linkedLanes(document, lane.id, way)];
+  const [other = -1] = others;
+  const back = linkedLanes(document, other, way === "after" ? "before" : "after");
+  return others.length === 1 && back.size === 1 && other !== lane.id
+    ? (document.lanes.get(other) ?? null)
+    : null;
+}
+
+/** Why two lanes in series stay two; null: they can be joined. */
+function hindrance(base: MapDocument, one: Lane, other: Lane): string | null {
+  const names = `Lanes ${one.id} and ${other.id}`;
+  const imported = [one, other].some((lane) => base.lanes.has(lane.id));
+  if (imported || one.part_of !== other.part_of) {
+    return `${names} are not parts of one cut lane: the imported map has two lanes there, so they stay two.`;
+  }
+  const differing = [
+    one.left_lane_mark_type !== other.left_lane_mark_type && "the left mark",
+    one.right_lane_mark_type !== other.right_lane_mark_type && "the right mark",
+    one.lane_type !== other.lane_type && "the type",
+    one.is_intersection !== other.is_intersection && "the intersection",
+  ].filter((word) => word !== false);
+  if (differing.length === 0) return null;
+  return `${names} differ in ${differing.join(", ")}: make that the same first, then join them.`;
+}
+
+/** The whole imported lane when these were its last two parts, else a lane under the first one's id. */
+function joinedLane(base: MapDocument, document: MapDocument, one: Lane, other: Lane): Lane {
+  const whole = one.part_of === null ? undefined : base.lanes.get(one.part_of);
+  const lasts = one.part_of !== null && partsOf(document, one.part_of).length === 2;
+  let joined = one;
+  for (const side of SIDES) {
+    const line = joinedLine(document, [one, other], side);
+    const before = whole && boundary(whole, side);
+    const same = lasts && before !== undefined && hausdorff(line, before) <= MOVED_METRES;
+    joined = withBoundary(joined, side, same ? before : line);
+  }
+  return lasts && whole !== undefined ? { ...joined, id: whole.id, part_of: whole.part_of } : joined;
+}
+
+function joinedLine(document: MapDocument, [one, other]: readonly [Lane, Lane], side: Side): Line {
+  const before = boundary(one, side);
+  const after = boundary(other, side);
+  const joint = before.at(-1);
+  const [from, to] = [before.at(-2), after[1]];
+  if (joint === undefined || from === undefined || to === undefined) return before;
+  const needed = occurrencesAt(document, joint).some(({ lane }) => lane !== one.id && lane !== other.id);
+  const bends = distance(joint, nearestOnSegment(joint, from, to)) > ON_LINE_METRES;
+  return needed || bends ? [...before, ...after.slice(1)] : [...before.slice(0, -1), ...after.slice(1)];
+}
+
+/** Takes the parts of a cut lane out and puts the imported lane back in their place. */
+export function undoCut(work: Workpiece, whole: Lane): void {
+  const parts = partsOf(work.document, whole.id);
+  if (parts.length > 0) exchangeLanes(work, parts, [whole]);
+}
