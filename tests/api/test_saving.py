@@ -245,3 +245,14 @@ def test_history_has_one_live_version_of_each_element(desk: Desk, session: Sessi
         .order_by(ElementVersion.rev_from)
     ).all()
     assert [tuple(span) for span in spans] == [(0, 1), (1, 2), (2, 3), (3, 2**31 - 1)]
+
+
+def test_an_edit_names_one_id(desk: Desk, session: Session) -> None:
+    counts = table_counts(session)
+    for operation in ("update", "insert"):
+        refused = desk.save({"operation": operation, "kind": "lane_segment", "id": 11, "attributes": {"id": 12}})
+        assert refused.status_code == 422
+        assert "has another id in its attributes" in refused.json()["message"]
+    assert table_counts(session) == counts
+    same = repaint(11)
+    assert desk.saved(same | {"attributes": {"id": 11, **same["attributes"]}})["revision"] == 1

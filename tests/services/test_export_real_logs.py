@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import contextlib
 import io
 import json
 import tarfile
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from sqlalchemy.orm import Session
+from tests.services.export_inside import archive_bytes
 from tests.stored_logs import change_task
 
 from lanewright.core.changes import Direction
@@ -21,7 +20,6 @@ from lanewright.core.workflow import Role
 from lanewright.db.models import Account, Task
 from lanewright.formats.splits import SourceSplits, Split
 from lanewright.services import sessions, tasks
-from lanewright.services.export import archive
 from lanewright.services.importing import Placing, import_log
 
 map_api = pytest.importorskip("av2.map.map_api", reason="av2 is not installed (requirements-av2.txt)")
@@ -38,13 +36,7 @@ def edited(state: MapState) -> MapState:
 
 
 def unpack(session: Session, folder: Path) -> None:
-    @contextlib.contextmanager
-    def inside_the_test() -> Iterator[Session]:
-        session.flush()
-        yield session
-
-    stream = io.BytesIO(b"".join(archive(inside_the_test, Split.TEST)))
-    with tarfile.open(fileobj=stream) as tar:
+    with tarfile.open(fileobj=io.BytesIO(archive_bytes(session, Split.TEST))) as tar:
         tar.extractall(folder)  # our own archive; Debian's Python 3.11.2 knows no extraction filters
 
 

@@ -59,6 +59,8 @@ def apply_edits(state: MapState, edits: Iterable[Edit], *, drawn: bool = False) 
 
 def _applied(edit: Edit, known: Element | None, drawn: bool) -> Element | None:
     """What an edit makes of the element of its key; None: there is none."""
+    if edit.attributes.get("id", edit.id) != edit.id:
+        raise InvalidInput("has another id in its attributes", "Name one id; a new id is a new element.", Place(key="id"))
     if edit.operation is Operation.INSERT:
         if known is not None:
             raise InvalidInput("is inserted but already there", "Use an update, or a new id.", Place(key="id"))
@@ -69,8 +71,6 @@ def _applied(edit: Edit, known: Element | None, drawn: bool) -> Element | None:
         )
     if edit.operation is Operation.DELETE:
         return None
-    if edit.attributes.get("id", edit.id) != edit.id:
-        raise InvalidInput("changes its id", "Delete it and insert another.", Place(key="id"))
     return dataclasses.replace(known, **parse_attributes(edit.kind, edit.attributes, drawn=drawn))
 
 

@@ -18,8 +18,8 @@ from sqlalchemy.orm import Session
 
 from lanewright import __version__
 from lanewright.core.changes import Direction
-from lanewright.core.diff import diff, invert
-from lanewright.core.elements import MapState
+from lanewright.core.comparison import Comparison
+from lanewright.core.diff import diff_of, invert
 from lanewright.core.errors import NotFound
 from lanewright.core.report import diff_document
 from lanewright.db.models import Log
@@ -86,25 +86,22 @@ def _log_files(session: Session, stream: TarStream, log: Log, release: Release) 
         for name in (RASTER, PLACEMENT)
         if name in kept
     }
-    imported = bytes(log.map_document)
-    rendered = imported if edited == base.state else base.render(edited)
+    # The same objects where the revision records no cuts: then the base is the file as imported, to the byte.
+    compared = Comparison(base.state, edited)
+    made = diff_of(compared)
     forward = release.direction == Direction.PRIOR_TO_CURRENT
-    sides = {"prior": imported if forward else rendered, "current": rendered if forward else imported}
+    before, after = base.render(compared.base), base.render(compared.edited)
+    sides = {"prior": before if forward else after, "current": after if forward else before}
     for side, text in sides.items():
         folder = f"{side}/{log.log_id}/map"
         yield stream.add(f"{folder}/{log.map_file_name}", text, release.accepted_at)
         for name, body in ground.items():
             yield stream.add(f"{folder}/{name}", body, release.accepted_at)
-    changes = _changes(base.state, edited, forward)
+    changes = diff_document(made if forward else invert(made))
     yield stream.add(f"changes/{log.log_id}.json", _json(changes), release.accepted_at)
     if SENSORS in kept:
         sensors = logs.asset_body(session, log.id, SENSORS)
         yield stream.add(f"sensors/{log.log_id}.json", sensors, release.accepted_at)
-
-
-def _changes(base: MapState, edited: MapState, forward: bool) -> dict[str, Any]:
-    made = diff(base, edited)
-    return diff_document(made if forward else invert(made))
 
 
 def _entry(log: Log, release: Release, stream: TarStream) -> dict[str, Any]:

@@ -585,12 +585,16 @@ export interface components {
         /**
          * AttributesIn
          * @description Changed attributes (update) or all of them (insert) of a lane or crossing; left out means unchanged.
+         *
+         *     ``id`` may stand here too, as it does in fixes; it must be that of the edit.
          */
         AttributesIn: {
             /** Edge1 */
             edge1?: components["schemas"]["PointIn"][] | null;
             /** Edge2 */
             edge2?: components["schemas"]["PointIn"][] | null;
+            /** Id */
+            id?: number | null;
             /** Is Intersection */
             is_intersection?: boolean | null;
             /** Lane Type */

@@ -77,8 +77,12 @@ Line = list[PointIn]
 
 
 class AttributesIn(Incoming):
-    """Changed attributes (update) or all of them (insert) of a lane or crossing; left out means unchanged."""
+    """Changed attributes (update) or all of them (insert) of a lane or crossing; left out means unchanged.
 
+    ``id`` may stand here too, as it does in fixes; it must be that of the edit.
+    """
+
+    id: Identifier | None = None
     is_intersection: bool | None = None
     lane_type: str | None = None
     left_lane_boundary: Line | None = Field(None, min_length=2, max_length=10_000)
