@@ -29,6 +29,7 @@ TESTED_BY = (
     "rules",
     "test_diff.py",
     "test_fixtures.py",
+    "test_identity.py",
     "test_replay.py",
     "test_restore.py",
     "test_roadgraph.py",
@@ -121,7 +122,8 @@ def _try() -> None:
     }
     plugins = ["-p", "forking", "-p", "no:terminal", "-p", "no:cacheprovider", "--import-mode=importlib"]
     tests = [f"tests/core/{part}" for part in TESTED_BY]
-    subprocess.run([sys.executable, "-m", "pytest", *plugins, *tests], cwd=WORK, env=environment, check=True)
+    if subprocess.run([sys.executable, "-m", "pytest", *plugins, *tests], cwd=WORK, env=environment).returncode:
+        sys.exit("The tests did not run to their end; nothing was judged wrongly, run this again when they do.")
 
 
 def _results() -> dict[str, str]:
