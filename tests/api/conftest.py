@@ -13,13 +13,14 @@ from fastapi import FastAPI
 from sqlalchemy.orm import Session
 from starlette.testclient import TestClient
 from tests.api.desk import Desk
-from tests.api.drawings import add_fixture_log
+from tests.api.drawings import add_map_log
 from tests.stored_logs import add_log
 
 from lanewright.api.app import create_app
 from lanewright.api.cross_site import CSRF_HEADER
 from lanewright.api.deps import COOKIE, get_session
 from lanewright.core.changes import Direction
+from lanewright.core.elements import MapState
 from lanewright.core.workflow import Role
 from lanewright.db.models import Account
 from lanewright.services import sessions, tasks
@@ -43,6 +44,7 @@ structlog.configure(
 ClientFor = Callable[..., TestClient]
 AddAccount = Callable[..., Account]
 DeskOf = Callable[[Account], Desk]
+DeskOn = Callable[[MapState], Desk]
 
 
 @lru_cache(maxsize=1)
@@ -140,12 +142,12 @@ def desk(desk_of: DeskOf, anna: Account) -> Desk:
 
 
 @pytest.fixture
-def desk_on(session: Session, add_account: AddAccount, client_for: ClientFor, anna: Account) -> Callable[[str], Desk]:
-    """anna at work on a task whose base is that of a fixture of the change mapping."""
+def desk_on(session: Session, add_account: AddAccount, client_for: ClientFor, anna: Account) -> DeskOn:
+    """anna at work on a task whose base is that map, edited from prior to current."""
 
-    def made(name: str) -> Desk:
-        log = add_fixture_log(session, name)
-        boss = add_account(Role.ADMIN, f"boss of {name}")
+    def made(base: MapState) -> Desk:
+        log = add_map_log(session, "log-of-its-own", base)
+        boss = add_account(Role.ADMIN, "boss")
         actor = Actor(boss.id, boss.name, Role.ADMIN)
         direction = Direction.PRIOR_TO_CURRENT
         made = tasks.create(session, actor, log_id=log.log_id, direction=direction, assignee_id=anna.id)

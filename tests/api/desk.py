@@ -39,11 +39,14 @@ class Desk:
         document: dict[str, Any] = answer.json()
         return document
 
-    def check(self, *edits: dict[str, Any], base: int = 0) -> Response:
-        return self.client.post(f"{self.address}/check", json={"base_revision": base, "edits": list(edits)})
+    def check(self, *edits: dict[str, Any], base: int = 0, **body: Any) -> Response:
+        return self.client.post(f"{self.address}/check", json={"base_revision": base, "edits": list(edits)} | body)
 
-    def keep_draft(self, *edits: dict[str, Any], version: int = 0, base: int = 0) -> Response:
-        sent = {"base_revision": base, "edits": list(edits), "version": version}
+    def canonical(self, *edits: dict[str, Any], base: int = 0) -> Response:
+        return self.client.post(f"{self.address}/canonical", json={"base_revision": base, "edits": list(edits)})
+
+    def keep_draft(self, *edits: dict[str, Any], version: int = 0, base: int = 0, **body: Any) -> Response:
+        sent = {"base_revision": base, "edits": list(edits), "version": version} | body
         return self.client.put(f"{self.address}/draft", json=sent)
 
     def new_id(self) -> int:

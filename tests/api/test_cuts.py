@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
 from typing import Any
 
 import pytest
 from sqlalchemy import select
 from sqlalchemy.orm import Session
+from tests.api.conftest import DeskOn
 from tests.api.desk import Desk, repaint, update
-from tests.api.drawings import composed, drawn
+from tests.api.drawings import as_sent, composed
 from tests.core.worlds import scenario
 from tests.services.export_inside import archived
 
@@ -21,13 +21,12 @@ from lanewright.formats.av2_map import parse_map
 from lanewright.formats.splits import Split
 from lanewright.services.verify import subjects, verify
 
-NAME = "marks_mid_lane"
-DeskOn = Callable[[str], Desk]
+CASE = scenario("marks_mid_lane")
 
 
 def mended(desk: Desk) -> list[dict[str, Any]]:
     """The drawn edits of the fixture with the fix of their one violation."""
-    edits = drawn(desk, NAME)
+    edits = as_sent(desk, CASE.base, CASE.edited)
     answer = desk.check(*edits)
     assert answer.status_code == 200, answer.text
     (violation,) = answer.json()["violations"]
@@ -46,7 +45,7 @@ def parts(lanes: list[dict[str, Any]]) -> dict[int, int]:
 
 
 def test_the_fix_of_a_half_painted_lane_is_saved_as_it_stands(desk_on: DeskOn, session: Session) -> None:
-    desk = desk_on(NAME)
+    desk = desk_on(CASE.base)
     edits = mended(desk)
     first, second = (edit["id"] for edit in edits if edit["operation"] == "insert")
     assert desk.check(*edits).json()["violations"] == []
@@ -63,10 +62,10 @@ def test_the_fix_of_a_half_painted_lane_is_saved_as_it_stands(desk_on: DeskOn, s
 
 
 def test_a_lane_that_is_whole_again_is_the_base(desk_on: DeskOn) -> None:
-    desk = desk_on(NAME)
+    desk = desk_on(CASE.base)
     edits = mended(desk)
     desk.saved(*edits)
-    base = scenario(NAME).expected["base"]["lane_segments"]
+    base = CASE.expected["base"]["lane_segments"]
     back = [{"operation": "delete", "kind": "lane_segment", "id": e["id"]} for e in edits if e["operation"] == "insert"]
     whole = {name: value for name, value in base["1"].items() if name != "id"}
     back.append({"operation": "insert", "kind": "lane_segment", "id": 1, "attributes": whole})
@@ -78,7 +77,7 @@ def test_a_lane_that_is_whole_again_is_the_base(desk_on: DeskOn) -> None:
 
 
 def test_a_part_can_be_edited_and_its_record_taken_off(desk_on: DeskOn) -> None:
-    desk = desk_on(NAME)
+    desk = desk_on(CASE.base)
     edits = mended(desk)
     desk.saved(*edits)
     first, second = (edit["id"] for edit in edits if edit["operation"] == "insert")
@@ -110,7 +109,7 @@ def test_lanes_without_a_record_have_the_hash_they_had(desk: Desk, session: Sess
 def test_prior_and_current_are_exported_cut_at_the_same_places(
     desk_on: DeskOn, session: Session, direction: str
 ) -> None:
-    desk = desk_on(NAME)
+    desk = desk_on(CASE.base)
     edits = mended(desk)
     desk.saved(*edits)
     first, second = (edit["id"] for edit in edits if edit["operation"] == "insert")

@@ -117,6 +117,32 @@ def test_a_draft_that_was_dropped_in_between_is_not_mistaken_for_an_old_one(desk
     assert desk.keep_draft(repaint(11), version=old).status_code == 409
 
 
+@pytest.mark.parametrize("kept_before", [True, False])
+def test_a_draft_that_arrives_after_its_save_does_not_come_back(desk: Desk, kept_before: bool) -> None:
+    seen = desk.keep_draft(repaint(11)).json()["version"] if kept_before else 0
+    desk.saved(repaint(11))
+    late = desk.keep_draft(repaint(11), version=seen)
+    assert (late.status_code, late.json()["code"]) == (409, "draft.superseded")
+    assert late.json()["facts"]["revision"] == 1
+    assert desk.open()["draft"] is None
+    assert desk.client.delete(f"{desk.address}/draft").status_code == 204
+    assert desk.keep_draft(repaint(11), version=seen).status_code == 409, "dropping what is not there changes nothing"
+
+
+def test_a_draft_begun_before_a_save_is_kept_where_its_writer_insists(desk: Desk) -> None:
+    desk.saved(repaint(11))
+    version = desk.keep_draft(repaint(12)).json()["facts"]["version"]
+    assert desk.keep_draft(repaint(12), version=version).status_code == 200
+    assert desk.open()["draft"]["edits"] == [repaint(12)]
+
+
+def test_the_draft_after_a_save_is_kept(desk: Desk) -> None:
+    desk.keep_draft(repaint(11))
+    desk.saved(repaint(11))
+    assert desk.keep_draft(repaint(12), base=1).status_code == 200
+    assert desk.open()["draft"]["edits"] == [repaint(12)]
+
+
 def test_a_draft_may_hold_what_the_rules_would_refuse(desk: Desk) -> None:
     heap = [{"x": 1.0, "y": 1.0, "z": None}] * 3
     assert desk.keep_draft(change(11, left_lane_boundary=heap)).status_code == 200

@@ -60,7 +60,7 @@ def apply_edits(state: MapState, edits: Iterable[Edit], *, drawn: bool = False) 
 def _applied(edit: Edit, known: Element | None, drawn: bool) -> Element | None:
     """What an edit makes of the element of its key; None: there is none."""
     if edit.attributes.get("id", edit.id) != edit.id:
-        raise InvalidInput("has another id in its attributes", "Name one id; a new id is a new element.", Place(key="id"))
+        raise InvalidInput("has another id in its attributes", "Name one id, that of the edit.", Place(key="id"))
     if edit.operation is Operation.INSERT:
         if known is not None:
             raise InvalidInput("is inserted but already there", "Use an update, or a new id.", Place(key="id"))

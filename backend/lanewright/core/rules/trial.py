@@ -85,10 +85,11 @@ class FixTrial:
         while (added := self._added(left)) and self._trials < _MOST_TRIALS:
             comparison = self._after(remedy)
             for further in self._rules[added[0].code].remedies(comparison, added[0]):
+                if further.declared is not None:
+                    continue  # what somebody declares is not changed along with their map
                 after = self._left_after(further)
                 if len(self._added(after)) < len(added):
-                    title = f"{remedy.title}; {further.title.lower()}"
-                    remedy, left = Remedy(title, further.edited, further.declared or remedy.declared), after
+                    remedy, left = Remedy(f"{remedy.title}; {further.title.lower()}", further.edited), after
                     break
             else:
                 break
