@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import dataclasses
 
-from tests.core.worlds import scenario
+from tests.core.worlds import crossing, line, scenario, straight, world
 
+from lanewright.core.changes import Macros
 from lanewright.core.claims import Claims, DeclaredMacros
 from lanewright.core.diff import diff
 from lanewright.core.elements import ElementKey, ElementKind
@@ -65,3 +66,55 @@ def test_two_declarations_of_one_update_are_told_once():
     wrong = dataclasses.replace(UPDATE.macros, lane_graph=False)
     declared = tuple(DeclaredMacros((key,), wrong) for key in UPDATE.elements[:2])
     assert len(messages_of(declared)) == 1
+
+
+#  two updates 500 m apart: 1 is widened, 2 goes
+APART = world(straight(1, 0, 60), straight(2, 500, 560), crossing(5, 1000), crossing(6, 1500))
+WIDER = dataclasses.replace(APART.lanes[1], left_boundary=line("0,4.5 60,4.5"))
+EDITED = world(WIDER, crossing(5, 1000.5), crossing(7, 1600))
+NOTHING = Macros(shape=False, appearance=False, function=False, lane_graph=False, lane_number=0)
+
+
+def told(macros, *elements):
+    claims = Claims(declared=(DeclaredMacros(elements, macros),))
+    found = [one for one in check(APART, EDITED, claims) if one.code == "macro.mismatch"]
+    return [(one.kind, one.elements, one.message.partition(": ")[2]) for one in found]
+
+
+def a_lane(key):
+    return ElementKey(ElementKind.LANE_SEGMENT, key)
+
+
+def a_crossing(key):
+    return ElementKey(ElementKind.PEDESTRIAN_CROSSING, key)
+
+
+def test_broken_a_declaration_is_about_the_update_that_its_elements_are_in():
+    lane_segment, pedestrian_crossing = ElementKind.LANE_SEGMENT, ElementKind.PEDESTRIAN_CROSSING
+    assert told(NOTHING, a_lane(1)) == [(lane_segment, (1,), "shape is missing.")]
+    assert told(NOTHING, a_lane(2)) == [(lane_segment, (2,), "lane graph is missing; lane number is -1, not +0.")]
+    assert told(NOTHING, a_crossing(5)) == [(pedestrian_crossing, (5,), "shape is missing.")]
+    assert told(NOTHING, a_crossing(7)) == [(pedestrian_crossing, (7,), "appearance is missing.")]
+
+
+def test_broken_macros_of_what_did_not_change():
+    shape = dataclasses.replace(NOTHING, shape=True)
+    assert told(shape, a_lane(4711)) == [(ElementKind.LANE_SEGMENT, (4711,), "shape is extra.")]
+    assert told(NOTHING, a_lane(4711)) == []
+
+
+def test_edge_a_declaration_over_several_updates_is_about_the_one_with_most_of_its_elements():
+    base = world(straight(1, 0, 60), straight(2, 500, 560), straight(3, 500, 560, 3.5, 7))
+    edited = world(dataclasses.replace(base.lanes[1], left_boundary=line("0,4.5 60,4.5")))
+    declared = DeclaredMacros((a_lane(1), a_lane(2), a_lane(3)), NOTHING)
+    found = [one for one in check(base, edited, Claims(declared=(declared,))) if one.code == "macro.mismatch"]
+    assert [one.elements for one in found] == [(2, 3)]
+
+
+def test_edge_an_update_of_lanes_and_crossings_is_named_by_its_lanes():
+    #  crossing 5 over lane 1, both moved
+    base = world(straight(1, 0, 60), crossing(5, 30))
+    edited = world(WIDER, crossing(5, 30.5))
+    claims = Claims(declared=(DeclaredMacros((a_crossing(5),), NOTHING),))
+    found = [one for one in check(base, edited, claims) if one.code == "macro.mismatch"]
+    assert [(one.kind, one.elements) for one in found] == [(ElementKind.LANE_SEGMENT, (1,))]
