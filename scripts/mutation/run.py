@@ -22,7 +22,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 HOME = ROOT / ".mutation"
 SITE, WORK = HOME / "site", HOME / "work"
-NAMES, PLAN, RESULTS, REPORT = (WORK / name for name in ("mutants.json", "plan.json", "results.jsonl", "report.txt"))
+REPORT = HOME / "report.txt"
+NAMES, PLAN, RESULTS = (WORK / name for name in ("mutants.json", "plan.json", "results.jsonl"))
 HERE = Path(__file__).parent
 MUTATED = ("rules/*.py", "diff.py", "comparison.py", "identity.py")
 TESTED_BY = (
