@@ -1,4 +1,4 @@
-"""Round trip: a diff applied with its values gives the edited map, its inverse the base (any edit: ``update_machine``)."""
+"""Round trip: a diff applied with its values gives the edited map, its inverse the base (``update_machine``: any)."""
 
 from __future__ import annotations
 
