@@ -87,6 +87,20 @@ def test_a_part_can_be_edited_and_its_record_taken_off(desk_on: DeskOn) -> None:
     assert [found["code"] for found in off.json()["violations"]] == ["replacement.unjustified"]
 
 
+def test_a_part_of_nothing_is_refused(desk: Desk) -> None:
+    refused = desk.check(update(11, part_of=4711))
+    assert refused.status_code == 422
+    assert "lane_segment 11" in refused.json()["message"]
+    assert "the base has no such lane" in refused.json()["message"]
+
+
+def test_a_lane_of_the_base_is_no_part(desk: Desk) -> None:
+    refused = desk.save(update(11, part_of=12))
+    assert (refused.status_code, refused.json()["code"]) == (409, "save.empty")
+    (saved,) = desk.saved(update(11, part_of=12, right_lane_mark_type="DASHED_WHITE"))["changed"]["lanes"]
+    assert "part_of" not in saved["attributes"]
+
+
 @pytest.mark.parametrize("wrong", [True, "1", -1, 1.5, 2**53])
 def test_a_record_that_is_no_id_is_refused(desk: Desk, wrong: object) -> None:
     refused = desk.save(update(11, part_of=wrong))

@@ -32,6 +32,7 @@ lanes = st.builds(
     predecessors=links,
     right_neighbor_id=st.none() | ids,
     left_neighbor_id=st.none() | ids,
+    part_of=st.none() | ids,
 )
 crossings = st.builds(PedestrianCrossing, id=ids, edge1=edges, edge2=edges)
 elements = st.one_of(lanes, crossings)

@@ -215,3 +215,24 @@ def test_av2_itself_loads_what_is_written(real_log: Path, tmp_path: Path, edit: 
         assert segment.left_lane_boundary.xyz.tolist() == [list(point) for point in ours.left_boundary]
         assert segment.left_mark_type.value == ours.left_mark.value
         assert tuple(segment.successors) == ours.successors
+
+
+def test_the_record_of_a_cut_is_written_and_taken_off_again() -> None:
+    document = awkward()
+    part = dataclasses.replace(document.state.lanes[7], part_of=5)
+    rendered = document.render(document.state.replaced([part]))
+    assert without_space(rendered) == without_space(AWKWARD).replace(
+        b'"x":4.000000000000000001,"y":0,"z":0}]}', b'"x":4.000000000000000001,"y":0,"z":0}],"part_of":5}'
+    )
+    recorded = parse_map(rendered, "recorded.json")
+    assert {key: lane.part_of for key, lane in recorded.state.lanes.items()} == {7: 5, 8: None}
+    repainted = dataclasses.replace(part, right_mark=Mark.SOLID_BLUE)
+    assert b'"part_of": 5' in recorded.render(recorded.state.replaced([repainted]))
+    assert recorded.render(document.state) == AWKWARD
+
+
+@pytest.mark.parametrize("wrong", ["true", '"5"', "-1", "1.0", "[]", "9007199254740992"])
+def test_a_record_that_is_no_id_is_named(wrong: str) -> None:
+    data = AWKWARD.replace(b'"comment":', b'"part_of": %s, "comment":' % wrong.encode())
+    with pytest.raises(InvalidInput, match=r"awkward\.json.*lane_segment 7.*part_of"):
+        parse_map(data, "awkward.json")

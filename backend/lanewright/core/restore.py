@@ -126,9 +126,10 @@ def _disputed_places(returning: Iterable[tuple[ElementKey, str, Line, Line]]) ->
 
 
 def _with_base_links(comparison: Comparison, lane: LaneSegment) -> LaneSegment:
-    """The lane with link lists and neighbour ids as in the base, where only what does not count differs."""
+    """The lane with link lists and neighbour ids as in the base, where only what does not count differs, and its record
+    of a cut (a lane that the base has whole is no part)."""
     known = comparison.base.lanes[lane.id]
-    fields: dict[str, Any] = {}
+    fields: dict[str, Any] = {} if lane.part_of == known.part_of else {"part_of": known.part_of}
     was, now = comparison.base_graph, comparison.edited_graph
     if was.successors[lane.id] == now.successors[lane.id] and was.predecessors[lane.id] == now.predecessors[lane.id]:
         fields |= {"successors": known.successors, "predecessors": known.predecessors}

@@ -71,7 +71,8 @@ def evaluate(
     ``declared`` is all of them.
 
     Raises:
-        InvalidInput: an edit cannot be applied, names its element twice, or brings in an id that is not the account's.
+        InvalidInput: an edit cannot be applied, names its element twice, brings in an id that is not the account's, or
+            a part of what the base does not have.
         Conflict: ``save.stale``, with base, mine and theirs of every element that was changed by others meanwhile.
     """
     head_revision = task.line.head
@@ -92,6 +93,7 @@ def evaluate(
         edits = _without_settled(edits, seen.state, head.state, head_revision, ground)
         seen_declared = declarations.declared_at(session, task.line_id, base_revision)
         stated = declarations.merged(seen_declared, head_declared, stated)
+    _require_known_wholes(edits, base.state)
     asked = fill_elevation(apply_edits(head.state, edits, drawn=True), ground)
     edited = restore(base.state, asked)
     new = [element for element in edited if element.key not in head.state]
@@ -111,6 +113,22 @@ def _require_one_edit_each(edits: Sequence[Edit]) -> None:
                 Place(element=f"{edit.kind.value} {edit.id}", key=f"edits[{index}]"),
             )
         seen.add(edit.key)
+
+
+def _require_known_wholes(edits: Sequence[Edit], base: MapState) -> None:
+    """Parts are parts of what the base has, whole or cut already."""
+    wholes = {edit.attributes.get("part_of") for edit in edits} - {None}
+    if not wholes or wholes <= base.lanes.keys():
+        return
+    known = base.lanes.keys() | {lane.part_of for lane in base.lanes.values()}
+    for index, edit in enumerate(edits):
+        whole = edit.attributes.get("part_of")
+        if whole is not None and whole not in known:
+            raise InvalidInput(
+                f"is {whole!r:.60}, but the base has no such lane",
+                "Name the lane of the base that was cut, or leave part_of out.",
+                Place(element=f"{edit.kind.value} {edit.id}", key=f"edits[{index}].attributes.part_of"),
+            )
 
 
 def _without_settled(
