@@ -98,9 +98,11 @@ def points_without_length() -> Pair:
 
 
 def at_the_cap() -> Pair:
-    """Lanes across the whole of the allowed plane."""
-    base = _state(lane(key, (-CAP, -CAP + key), (CAP, CAP - 10 * key), successors=(key + 1,)) for key in range(3))
-    return base, _state(lane(key, (-CAP, -CAP + key), (CAP, CAP - 11 * key), successors=(key + 1,)) for key in range(3))
+    """Lanes across the whole of the allowed plane, 2,800 km long; five of them bent, and 55 drawn anew."""
+    base = _state(lane(key, (-CAP, -CAP + key), (CAP, CAP - 10 * key), successors=(key + 1,)) for key in range(5))
+    return base, _state(
+        lane(key, (-CAP, -CAP + key), (CAP, CAP - 11 * key), successors=(key + 1,)) for key in range(60)
+    )
 
 
 def collapsed_crossings() -> Pair:

@@ -16,9 +16,10 @@ from lanewright.core.alignment import Alignment
 from lanewright.core.comparison import Comparison, crossing_key, lane_key
 from lanewright.core.cuts import marked_as_parts
 from lanewright.core.elements import ElementKey, ElementKind, LaneSegment, Line, MapState, PedestrianCrossing
-from lanewright.core.identity import fresh_id, renamed, with_lanes_exchanged
+from lanewright.core.identity import renamed, with_lanes_exchanged
 from lanewright.core.matching import same_crossings, same_lanes
 from lanewright.core.series import Run
+from lanewright.core.survey import Survey, ids_named
 
 
 class Assignment:
@@ -57,9 +58,13 @@ class Assignment:
     @classmethod
     def start(cls, base: MapState, edited: MapState, scope: Collection[ElementKey] | None) -> Assignment:
         """Everything outside the scope matched by its id, what has the same lines matched by those."""
-        lanes = [lane for lane in edited.lanes.values() if scope is None or lane_key(lane.id) in scope]
-        crossings = [one for one in edited.crossings.values() if scope is None or crossing_key(one.id) in scope]
-        tokens = count(fresh_id((base, edited)))
+        lanes: Iterable[LaneSegment] = edited.lanes.values()
+        crossings: Iterable[PedestrianCrossing] = edited.crossings.values()
+        if scope is not None:
+            inside = [element for element in map(edited.get, scope) if element is not None]
+            lanes = [element for element in inside if isinstance(element, LaneSegment)]
+            crossings = [element for element in inside if isinstance(element, PedestrianCrossing)]
+        tokens = count(1 + max((0, *Survey(base).fact(ids_named), *Survey(edited).fact(ids_named))))
         own_lanes = {next(tokens): lane.id for lane in sorted(lanes, key=_position)}
         own_crossings = {next(tokens): crossing.id for crossing in sorted(crossings, key=_crossing_position)}
         lane_tokens = {own: token for token, own in own_lanes.items()}
@@ -77,8 +82,8 @@ class Assignment:
         )
         assignment.lanes = {key: key for key in outside if key in base.lanes}
         assignment.crossings = {key: key for key in outside_crossings if key in base.crossings}
-        assignment.lanes |= same_lanes(*assignment.unmatched_lanes())
-        assignment.crossings |= same_crossings(*assignment.unmatched_crossings())
+        assignment.lanes |= same_lanes(assignment.base, assignment.edited, assignment.lanes, own_lanes)
+        assignment.crossings |= same_crossings(*assignment.unmatched_crossings(), own_crossings)
         return assignment
 
     def copied(self) -> Assignment:
@@ -105,18 +110,6 @@ class Assignment:
                 del self.lanes[tokens[lane]]
                 parted = True
         return parted
-
-    def unmatched_lanes(self) -> tuple[dict[int, LaneSegment], dict[int, LaneSegment]]:
-        """Base lanes and edited lanes that have no counterpart yet."""
-        known = set(self.lanes.values())
-        return (
-            {key: lane for key, lane in self.base.lanes.items() if key not in known and self._in_scope(lane_key(key))},
-            {
-                key: lane
-                for key, lane in self.edited.lanes.items()
-                if key not in self.lanes and self._in_scope(lane_key(key))
-            },
-        )
 
     def unmatched_crossings(self) -> tuple[dict[int, PedestrianCrossing], dict[int, PedestrianCrossing]]:
         """Base crossings and edited crossings that have no counterpart yet."""

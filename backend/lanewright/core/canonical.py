@@ -8,13 +8,14 @@ ids the edited map happens to have: fewest categories, least displacement, small
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from itertools import count
 
 from lanewright.core.assignment import Assignment, other_than_itself
+from lanewright.core.comparison import Comparison
 from lanewright.core.elements import ElementKey, ElementKind, MapState
-from lanewright.core.identity import fresh_id, renamed
+from lanewright.core.identity import fresh_ids, renamed
 from lanewright.core.settlement import settle
 
 
@@ -47,13 +48,30 @@ def canonical_form(base: MapState, edited: MapState, scope: Collection[ElementKe
     """
     assignment = Assignment.start(base, edited, scope)
     settle(assignment)
-    return _named(assignment, edited)
+    return _named(assignment, edited, fresh_ids((base, edited)))
 
 
-def _named(assignment: Assignment, original: MapState) -> Canonical:
+def canonical_update(comparison: Comparison, update: Collection[ElementKey]) -> Canonical:
+    """The edited map with one structural update in its canonical form. No other update touches it, so it is settled as
+    if it were the only one."""
+    base, edited = comparison.base, comparison.edited
+    others = comparison.changed_keys.difference(update)
+    back = [element for element in map(base.get, others) if element is not None]
+    alone = edited.replaced(back, [key for key in others if key not in base])
+    assignment = Assignment.start(base, alone, update)
+    settle(assignment)
+    form = _named(assignment, alone, fresh_ids((base, edited)))
+    if form.edited is alone:
+        return dataclasses.replace(form, edited=edited)
+    settled = {key: form.edited.get(key) for key in form.edited.apart(alone)}
+    put_in = [element for element in settled.values() if element is not None]
+    merged = edited.replaced(put_in, [key for key, element in settled.items() if element is None])
+    return dataclasses.replace(form, edited=merged)
+
+
+def _named(assignment: Assignment, original: MapState, fresh: Iterator[int]) -> Canonical:
     """The assignment under final ids."""
     taken = {*assignment.base.lanes, *assignment.base.crossings}
-    fresh = count(fresh_id((assignment.base, original)))
     lanes = _final_ids(assignment.edited.lanes, assignment.lanes, assignment.own_lane_ids, taken, fresh)
     crossings = _final_ids(assignment.edited.crossings, assignment.crossings, assignment.own_crossing_ids, taken, fresh)
     final = assignment.with_parts_named(renamed(assignment.edited, *map(other_than_itself, (lanes, crossings))), lanes)
@@ -102,9 +120,7 @@ def _renames(
 
 def _with_known_objects(state: MapState, original: MapState) -> MapState:
     """The state with the original's own objects and order where nothing differs."""
-    elements = {element.key: element for element in state}
-    same = [element for element in original if elements.get(element.key) == element]
-    if len(same) == len(original) == len(state):
-        return original
-    known = {element.key for element in same}
-    return MapState.of([*same, *(element for key, element in sorted(elements.items()) if key not in known)])
+    apart = sorted(state.apart(original))
+    changed = [key for key in apart if state.get(key) != original.get(key)]
+    put_in = [element for element in map(state.get, changed) if element is not None]
+    return original.replaced(put_in, changed) if changed else original

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
-from lanewright.core.elements import Element, ElementKey, LaneSegment, Line, MapState
+from lanewright.core.attributes import LARGEST_ID
+from lanewright.core.elements import Element, ElementKey, ElementKind, LaneSegment, Line, MapState
+from lanewright.core.survey import Survey, ids_named
 
 
 def renamed(state: MapState, lanes: Mapping[int, int], crossings: Mapping[int, int] | None = None) -> MapState:
@@ -14,15 +16,18 @@ def renamed(state: MapState, lanes: Mapping[int, int], crossings: Mapping[int, i
 
     Unrelated elements stay the same objects.
     """
-    if not lanes and not crossings:
-        return state
-    renamed_lanes = [_renamed_lane(lane, lanes) for lane in state.lanes.values()] if lanes else state.lanes.values()
-    renamed_crossings = [
-        dataclasses.replace(crossing, id=crossings[crossing.id]) if crossings and crossing.id in crossings else crossing
-        for crossing in state.crossings.values()
-    ]
-    elements: list[Element] = [*renamed_lanes, *renamed_crossings]
-    return MapState.of(sorted(elements, key=lambda element: element.key))
+    changed: list[Element] = []
+    gone = [ElementKey(ElementKind.LANE_SEGMENT, key) for key in lanes]
+    if lanes:
+        for lane in state.lanes.values():
+            named = _renamed_lane(lane, lanes)
+            if named is not lane:
+                changed.append(named)
+    for key, new in (crossings or {}).items():
+        if key in state.crossings:
+            changed.append(dataclasses.replace(state.crossings[key], id=new))
+            gone.append(ElementKey(ElementKind.PEDESTRIAN_CROSSING, key))
+    return state.replaced(changed, gone) if changed else state
 
 
 def _renamed_lane(lane: LaneSegment, ids: Mapping[int, int]) -> LaneSegment:
@@ -97,11 +102,11 @@ def with_lanes_exchanged(state: MapState, old: Sequence[int], new: Sequence[Lane
         )
         for index, piece in enumerate(new)
     ]
-    lanes: dict[int, LaneSegment] = {}
+    lanes = state.lanes.copy()
     loose: set[int] = {piece.id for piece in new}
-    for key, lane in state.lanes.items():
-        if key in gone:
-            continue
+    for key in gone:
+        del lanes[key]
+    for key, lane in lanes.items():
         fields: dict[str, Any] = {}
         if not gone.isdisjoint(lane.successors):
             fields["successors"] = _relinked(lane.successors, into, gone)
@@ -111,11 +116,12 @@ def with_lanes_exchanged(state: MapState, old: Sequence[int], new: Sequence[Lane
             if getattr(lane, name) in gone:
                 fields[name] = None
                 loose.add(key)
-        lanes[key] = dataclasses.replace(lane, **fields) if fields else lane
+        if fields:
+            lanes[key] = dataclasses.replace(lane, **fields)
     lanes |= {piece.id: piece for piece in put_in}
     found = with_neighbors_found(lanes, loose)
-    elements: list[Element] = [*found.values(), *state.crossings.values()]
-    return MapState.of(sorted(elements, key=lambda element: element.key))
+    changed = [lane for key, lane in found.items() if lane is not state.lanes.get(key)]
+    return state.replaced(changed, [ElementKey(ElementKind.LANE_SEGMENT, key) for key in gone])
 
 
 def _relinked(links: tuple[int, ...], ids: Mapping[int, int], gone: set[int]) -> tuple[int, ...]:
@@ -148,13 +154,11 @@ def with_neighbors_found(lanes: dict[int, LaneSegment], loose: Iterable[int]) ->
 
 def unlinked(state: MapState, lanes: Iterable[int], crossings: Iterable[int] = ()) -> MapState:
     """The state without those elements; whoever named a removed lane names it no more."""
-    gone, gone_crossings = set(lanes), set(crossings)
-    kept: list[Element] = []
-    for lane in state.lanes.values():
-        if lane.id not in gone:
-            kept.append(_without(lane, gone))
-    kept += [crossing for crossing in state.crossings.values() if crossing.id not in gone_crossings]
-    return MapState.of(kept)
+    gone = set(lanes)
+    left = [(lane, _without(lane, gone)) for lane in state.lanes.values() if lane.id not in gone]
+    removed = [ElementKey(ElementKind.LANE_SEGMENT, key) for key in gone]
+    removed += [ElementKey(ElementKind.PEDESTRIAN_CROSSING, key) for key in crossings]
+    return state.replaced([now for was, now in left if now is not was], removed)
 
 
 def _without(lane: LaneSegment, gone: set[int]) -> LaneSegment:
@@ -184,11 +188,12 @@ def without_link(lanes: Mapping[int, LaneSegment], link: tuple[int, int]) -> lis
 
 
 def fresh_id(states: Iterable[MapState], also_taken: Iterable[ElementKey] = ()) -> int:
-    """The smallest id above all that the maps have or name, and above the others given."""
-    taken = {key.id for key in also_taken}
-    for state in states:
-        taken.update(state.crossings)
-        for lane in state.lanes.values():
-            taken.update((lane.id, *lane.successors, *lane.predecessors))
-            taken.update(other for other in (lane.left_neighbor_id, lane.right_neighbor_id) if other is not None)
-    return max(taken, default=0) + 1
+    """The first of the fresh ids."""
+    return next(fresh_ids(states, also_taken))
+
+
+def fresh_ids(states: Iterable[MapState], also_taken: Iterable[ElementKey] = ()) -> Iterator[int]:
+    """Ids that the maps neither have nor name, nor the others given: from above them all, then from the gaps."""
+    taken = {key.id for key in also_taken}.union(*(Survey(state).fact(ids_named) for state in states))
+    yield from range(max(taken, default=0) + 1, LARGEST_ID + 1)
+    yield from (key for key in range(1, LARGEST_ID + 1) if key not in taken)

@@ -107,11 +107,16 @@ class Linework:
 
     def extent(self, lane: int) -> tuple[Floats, float] | None:
         """Bounds and area of a lane; None if it cannot be read."""
-        at = np.flatnonzero(self.ids[self.readable] == lane)
-        return (self.bounds[at[0]], abs(float(self.area_m2[at[0]]))) if len(at) else None
+        at = self._row.get(lane)
+        return None if at is None else (self.bounds[at], abs(float(self.area_m2[at])))
+
+    @cached_property
+    def _row(self) -> dict[int, int]:
+        """Readable lane -> its row in the arrays."""
+        return {key: row for row, key in enumerate(self.ids[self.readable].tolist())}
 
     def like(self, bounds: Floats, area_m2: float) -> tuple[int, ...]:
-        """Ids of readable lanes that may cover the same ground: boxes overlap, areas agree to some 15 %."""
+        """Ids of readable lanes that may cover the same ground: boxes meet, areas agree to 15 %; ascending."""
         if not self._half:
             return ()
         near = self._boxes.query(shapely.box(*bounds))

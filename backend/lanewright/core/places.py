@@ -6,12 +6,14 @@ The findings behind the rules of identity, as lanes and chains; the canonical fo
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Callable, Iterator
 from itertools import combinations, product
 
 import shapely
 
 from lanewright.core.comparison import COINCIDENT_M, Comparison, crossing_key, lane_key, same_crossing
+from lanewright.core.crossing_areas import CrossingAreas
 from lanewright.core.elements import LaneSegment, Point
 from lanewright.core.geometry import distance_m, moved, readable_element
 from lanewright.core.identity import joined
@@ -20,6 +22,8 @@ from lanewright.core.roadgraph import FINISH, START, Chain, Endpoint, Link
 
 Cell = tuple[int, int]
 """A square of a grid, or the positions of two lanes in their chains."""
+_MOST_AT_ONE_PLACE = 20
+"""Chains that coincide with one chain; where there are more, the others show when these are settled."""
 FAR_M = 3.0
 """A lane that no junction holds and that moved further than this is another lane."""
 
@@ -78,8 +82,12 @@ def _runs(
             (one, i), (other, j) = deleted[was], inserted[now]
             found.setdefault((one, other), []).append((i, j))
     runs: list[tuple[Chain, Chain]] = []
+    told: Counter[Chain] = Counter()
     for pair in sorted(starts.keys() & finishes.keys()):
         one, other = pair
+        if max(told[one], told[other]) >= _MOST_AT_ONE_PLACE:
+            continue
+        told.update(pair)
         runs += [
             (one[i : k + 1], other[j : m + 1])
             for (i, j), (k, m) in _largest(_undominated(starts[pair], -1), _undominated(finishes[pair], 1))
@@ -145,14 +153,16 @@ def _within(one: tuple[Cell, Cell], other: tuple[Cell, Cell]) -> bool:
 
 
 def unjustified_crossings(comparison: Comparison) -> list[tuple[int, int]]:
-    """Deleted and inserted crossings that overlap so far that they are one."""
+    """Deleted and inserted crossings that overlap so far that they are one, ascending."""
+    if not comparison.deleted_crossings or not comparison.inserted_crossings:
+        return []
+    inserted = {now: comparison.shape(crossing_key(now), edited=True) for now in comparison.inserted_crossings}
+    areas = CrossingAreas(inserted)
     return [
         (was, now)
         for was in sorted(comparison.deleted_crossings)
-        for now in sorted(comparison.inserted_crossings)
-        if same_crossing(
-            comparison.shape(crossing_key(was), edited=False), comparison.shape(crossing_key(now), edited=True)
-        )
+        for now in areas.near(comparison.shape(crossing_key(was), edited=False))
+        if same_crossing(comparison.shape(crossing_key(was), edited=False), inserted[now])
     ]
 
 

@@ -6,7 +6,7 @@ from the two link indexes, so looking at one place costs by what joins there, no
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import Final
 
 from lanewright.core.elements import LaneSegment, MapState, Point
@@ -74,31 +74,41 @@ class RoadGraph:
 
         ``references``: who names an id, in this graph's map.
         """
-        after, before = dict(self.successors), dict(self.predecessors)
-        pending: set[Link] = set()
+        after, before = self.successors.copy(), self.predecessors.copy()
+        fewer: set[tuple[bool, int]] = set()
         for lane in touched:
-            for other in after.pop(lane, ()):
-                if other in before:
-                    before[other] = tuple(key for key in before[other] if key != lane)
-            for other in before.pop(lane, ()):
-                if other in after:
-                    after[other] = tuple(key for key in after[other] if key != lane)
+            fewer.update((True, other) for other in before.pop(lane, ()))
+            fewer.update((False, other) for other in after.pop(lane, ()))
+        for forwards, other in fewer:
+            index = after if forwards else before
+            if other in index:
+                index[other] = tuple(key for key in index[other] if key not in touched)
+        more: dict[tuple[bool, int], set[int]] = {}
+        for lane in touched:
+            if lane in lanes:
+                after[lane] = before[lane] = ()
+        for upstream, downstream in self._links_of(lanes, touched, references):
+            more.setdefault((True, upstream), set()).add(downstream)
+            more.setdefault((False, downstream), set()).add(upstream)
+        for (forwards, lane), others in more.items():
+            index = after if forwards else before
+            index[lane] = tuple(sorted(others.union(index[lane])))
+        return RoadGraph(lanes, after, before)
+
+    @staticmethod
+    def _links_of(
+        lanes: Mapping[int, LaneSegment], touched: Collection[int], references: Mapping[int, tuple[int, ...]]
+    ) -> Iterator[Link]:
+        """The links that touched lanes write, or that others write to them."""
         for lane in touched:
             if lane not in lanes:
                 continue
-            after.setdefault(lane, ())
-            before.setdefault(lane, ())
-            segment = lanes[lane]
-            pending.update((lane, other) for other in segment.successors if other in lanes)
-            pending.update((other, lane) for other in segment.predecessors if other in lanes)
+            yield from ((lane, other) for other in lanes[lane].successors if other in lanes)
+            yield from ((other, lane) for other in lanes[lane].predecessors if other in lanes)
             for other in references.get(lane, ()):
-                if other in lanes:
-                    pending.update(((other, lane),) if lane in lanes[other].successors else ())
-                    pending.update(((lane, other),) if lane in lanes[other].predecessors else ())
-        for upstream, downstream in pending:
-            after[upstream] = tuple(sorted({*after.get(upstream, ()), downstream}))
-            before[downstream] = tuple(sorted({*before.get(downstream, ()), upstream}))
-        return RoadGraph(lanes, after, before)
+                if other in lanes and other not in touched:
+                    yield from [(other, lane)] if lane in lanes[other].successors else ()
+                    yield from [(lane, other)] if lane in lanes[other].predecessors else ()
 
     def links(self) -> frozenset[Link]:
         """All in-map links, upstream first."""

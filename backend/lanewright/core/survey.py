@@ -69,6 +69,11 @@ def _references(state: MapState) -> dict[int, tuple[int, ...]]:
     return {other: tuple(keys) for other, keys in found.items()}
 
 
+def ids_named(state: MapState) -> frozenset[int]:
+    """All ids that elements have or name."""
+    return frozenset(state.lanes).union(state.crossings, *map(named_by, state.lanes.values()))
+
+
 def parts_recorded(state: MapState) -> dict[int, list[int]]:
     """Lanes that were cut -> their parts in this state (spec §2)."""
     parts: dict[int, list[int]] = {}

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from itertools import islice
 
 from lanewright.core.comparison import Comparison, crossing_key, lane_key
-from lanewright.core.elements import ElementKey, ElementKind
-from lanewright.core.geometry import overlap, polygon
+from lanewright.core.crossing_areas import CrossingAreas
+from lanewright.core.elements import ElementKey, ElementKind, MapState
+from lanewright.core.geometry import overlap, overlaps, polygon
 from lanewright.core.identity import unlinked
 from lanewright.core.lateral import same_direction
 from lanewright.core.rules.rule import Remedy, Rule
@@ -14,6 +16,11 @@ from lanewright.core.violations import Severity, Violation
 
 CODE = "element.duplicate"
 SAME_OVERLAP = 0.9
+_MOST_TOLD = 20
+"""Of the duplicates of one element; where there are more, the others show when these are gone."""
+_AT_ONCE = 50
+
+Pair = tuple[ElementKey, ElementKey]
 
 
 def find(comparison: Comparison) -> Iterator[Violation]:
@@ -30,18 +37,23 @@ def find(comparison: Comparison) -> Iterator[Violation]:
         )
 
 
-def _duplicate_lanes(comparison: Comparison) -> set[tuple[ElementKey, ElementKey]]:
+def _duplicate_lanes(comparison: Comparison) -> set[Pair]:
     lanes = comparison.edited.lanes
     changed = comparison.inserted_lanes.union(
         lane for lane in comparison.differing_lanes if comparison.changed_in_place(lane)
     )
     return {
-        (lane_key(min(lane, other)), lane_key(max(lane, other)))
+        pair
         for lane in changed
-        for other in _alike(comparison, lane)
-        if lanes[lane].lane_type is lanes[other].lane_type
-        and same_direction(lanes[lane], lanes[other])
-        and _overlap(comparison, lane_key(lane), lane_key(other)) >= SAME_OVERLAP
+        for pair in _lying_on(
+            comparison,
+            lane_key(lane),
+            (
+                lane_key(other)
+                for other in _alike(comparison, lane)
+                if lanes[lane].lane_type is lanes[other].lane_type and same_direction(lanes[lane], lanes[other])
+            ),
+        )
     }
 
 
@@ -58,26 +70,48 @@ def _alike(comparison: Comparison, lane: int) -> Iterator[int]:
             yield other
 
 
-def _duplicate_crossings(comparison: Comparison) -> set[tuple[ElementKey, ElementKey]]:
-    touched = comparison.inserted_crossings.union(
+def _duplicate_crossings(comparison: Comparison) -> set[Pair]:
+    changed = comparison.inserted_crossings.union(
         crossing for crossing in comparison.differing_crossings if comparison.crossing_moved(crossing)
     )
-    return {
-        (crossing_key(min(one, other)), crossing_key(max(one, other)))
-        for one in touched
-        for other in comparison.edited.crossings
-        if one != other and _overlap(comparison, crossing_key(one), crossing_key(other)) >= SAME_OVERLAP
-    }
+    if not changed:
+        return set()
+    touched = {key: comparison.shape(crossing_key(key), edited=True) for key in comparison.touched_crossings}
+    areas = CrossingAreas(touched)
+    untouched = comparison.survey.fact(_crossing_areas)
+    found: set[Pair] = set()
+    for one in changed:
+        others = [other for other in areas.near(touched[one]) if other != one]
+        others += [
+            other
+            for other in untouched.near(touched[one])
+            if other in comparison.edited.crossings and other not in touched
+        ]
+        found.update(_lying_on(comparison, crossing_key(one), map(crossing_key, others)))
+    return found
 
 
-def _overlap(comparison: Comparison, one: ElementKey, other: ElementKey) -> float:
-    return overlap(comparison.shape(one, edited=True), comparison.shape(other, edited=True))
+def _crossing_areas(state: MapState) -> CrossingAreas:
+    return CrossingAreas({key: polygon(crossing) for key, crossing in state.crossings.items()})
+
+
+def _lying_on(comparison: Comparison, one: ElementKey, others: Iterable[ElementKey]) -> Iterator[Pair]:
+    """The element with each of the others that covers the same ground, up to the most that are told."""
+    found = 0
+    candidates = iter(others)
+    while found < _MOST_TOLD and (some := list(islice(candidates, _AT_ONCE))):
+        shares = overlaps(comparison.shape(one, edited=True), [comparison.shape(key, edited=True) for key in some])
+        for other, share in zip(some, shares, strict=True):
+            if share >= SAME_OVERLAP and found < _MOST_TOLD:
+                found += 1
+                yield min(one, other), max(one, other)
 
 
 def _inherited(comparison: Comparison, one: ElementKey, other: ElementKey) -> bool:
     """Whether the base has the same pair on each other, both of them in the shapes they have now."""
-    before = [comparison.base.get(key) for key in (one, other)]
-    if before[0] is None or before[1] is None or overlap(polygon(before[0]), polygon(before[1])) < SAME_OVERLAP:
+    if one not in comparison.base or other not in comparison.base:
+        return False
+    if overlap(comparison.shape(one, edited=False), comparison.shape(other, edited=False)) < SAME_OVERLAP:
         return False
     if one.kind is ElementKind.PEDESTRIAN_CROSSING:
         return not any(key.id in comparison.differing_crossings for key in (one, other))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from lanewright.core.canonical import canonical_form
+from lanewright.core.canonical import canonical_update
 from lanewright.core.comparison import Comparison
 from lanewright.core.elements import ElementKey, ElementKind
 from lanewright.core.macros import update_groups
@@ -30,10 +30,12 @@ def find_beside(comparison: Comparison, told: Collection[ElementKey]) -> Iterato
     if not _came_and_went(comparison):
         return
     for group in update_groups(comparison):
-        if not any(key in told for key in group) and _ambiguous(comparison, group):
-            canonical = canonical_form(comparison.base, comparison.edited, group)
-            if canonical.edited is not comparison.edited:
-                yield _violation(group)
+        if (
+            not any(key in told for key in group)
+            and _ambiguous(comparison, group)
+            and canonical_update(comparison, group).edited is not comparison.edited
+        ):
+            yield _violation(group)
 
 
 def _came_and_went(comparison: Comparison) -> bool:

@@ -13,26 +13,31 @@ from lanewright.core.violations import Violation
 def standing_violations(found: Iterable[Violation], rules: Mapping[str, Rule]) -> list[Violation]:
     """The violations that do not give way to another."""
     violations = list(found)
-    by_element: dict[ElementKey, list[Violation]] = {}
+    by_element: dict[ElementKey, dict[str, list[Violation]]] = {}
     for violation in violations:
         for element in violation.elements:
-            by_element.setdefault(ElementKey(violation.kind, element), []).append(violation)
+            told = by_element.setdefault(ElementKey(violation.kind, element), {})
+            told.setdefault(violation.code, []).append(violation)
     return [
         violation
         for violation in violations
         if not any(
-            _silences(other, violation, rules[violation.code].gives_way_to)
+            _silences(other, violation)
             for element in violation.elements
-            for other in by_element[ElementKey(violation.kind, element)]
+            for code, others in by_element[ElementKey(violation.kind, element)].items()
+            if _comes_first(code, rules[violation.code].gives_way_to)
+            for other in others
         )
     ]
 
 
-def _silences(other: Violation, violation: Violation, codes: tuple[str, ...]) -> bool:
-    """Whether a violation on shared elements tells the same defect: all of the other's elements, a preserved function
+def _comes_first(code: str, codes: tuple[str, ...]) -> bool:
+    return any(code == other or (other.endswith(".") and code.startswith(other)) for other in codes)
+
+
+def _silences(other: Violation, violation: Violation) -> bool:
+    """Whether a violation that comes first tells the same defect: all of the other's elements, a preserved function
     also where it holds the replaced parts, a duplicate wherever they share one."""
-    if not any(other.code == code or (code.endswith(".") and other.code.startswith(code)) for code in codes):
-        return False
     mine, theirs = set(violation.elements), set(other.elements)
     if violation.code == element_duplicate.CODE:
         return True

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from weakref import WeakKeyDictionary
 
-from lanewright.core.canonical import Canonical, canonical_form
+from lanewright.core.canonical import Canonical, canonical_form, canonical_update
 from lanewright.core.comparison import Comparison
 from lanewright.core.elements import ElementKey, ElementKind, MapState
 from lanewright.core.macros import update_groups
@@ -36,7 +36,7 @@ def identity_remedies(comparison: Comparison, violation: Violation) -> Iterator[
 def _canonical_remedy(comparison: Comparison, group: Group) -> Remedy:
     known = _remembered.setdefault(comparison, {})
     if group not in known:
-        canonical = canonical_form(comparison.base, comparison.edited, group)
+        canonical = canonical_update(comparison, group) if group else canonical_form(comparison.base, comparison.edited)
         edited = with_links_completed(comparison.base, canonical.edited)
         known[group] = Remedy(_button(canonical, comparison.base), edited)
     return known[group]

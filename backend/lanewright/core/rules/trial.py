@@ -12,6 +12,8 @@ from lanewright.core.rules.rule import Remedy, Rule
 from lanewright.core.violations import Fix, Violation
 
 _MOST_TRIALS = 24
+_MOST_WORK = 6_000
+"""Elements that differ from the base, and violations found, over all trials: what trials cost by."""
 Findings = Callable[[Comparison], tuple[Violation, ...]]
 
 
@@ -37,6 +39,7 @@ class FixTrial:
         self._judged: dict[int, _Verdict] = {}
         self._remedies: list[Remedy] = []
         self._trials = 0
+        self._work = 0
 
     def of(self, violation: Violation) -> tuple[Fix, ...]:
         """The first remedy that removes the violation and adds none; failing that, the first that removes it.
@@ -45,7 +48,7 @@ class FixTrial:
         """
         second: tuple[Fix, ...] = ()
         for remedy in self._rules[violation.code].remedies(self._comparison, violation):
-            if self._trials >= _MOST_TRIALS and id(remedy) not in self._judged:
+            if self._exhausted and id(remedy) not in self._judged:
                 edits = edits_between(self._comparison.edited, remedy.edited)
                 return second or (Fix(remedy.title, edits, remedy.declared),)
             verdict = self._judge(remedy)
@@ -70,9 +73,16 @@ class FixTrial:
             self._remedies.append(remedy)
         return self._judged[id(remedy)]
 
+    @property
+    def _exhausted(self) -> bool:
+        return self._trials >= _MOST_TRIALS or self._work >= _MOST_WORK
+
     def _left_after(self, remedy: Remedy) -> tuple[Violation, ...]:
+        comparison = self._after(remedy)
+        left = self._findings(comparison)
         self._trials += 1
-        return self._findings(self._after(remedy))
+        self._work += len(comparison.apart) + len(left)
+        return left
 
     def _after(self, remedy: Remedy) -> Comparison:
         claims = self._comparison.claims
@@ -82,11 +92,13 @@ class FixTrial:
 
     def _completed(self, remedy: Remedy, left: tuple[Violation, ...]) -> tuple[Remedy, tuple[Violation, ...]]:
         """A remedy together with those of what it lays bare, as far as each leaves less to do than before."""
-        while (added := self._added(left)) and self._trials < _MOST_TRIALS:
+        while (added := self._added(left)) and not self._exhausted:
             comparison = self._after(remedy)
             for further in self._rules[added[0].code].remedies(comparison, added[0]):
                 if further.declared is not None:
                     continue  # what somebody declares is not changed along with their map
+                if self._exhausted:
+                    break
                 after = self._left_after(further)
                 if len(self._added(after)) < len(added):
                     remedy, left = Remedy(f"{remedy.title}; {further.title.lower()}", further.edited), after
