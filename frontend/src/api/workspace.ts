@@ -1,5 +1,15 @@
 import { ask, client } from "./client";
-import type { DraftKept, Drive, Edit, Findings, IdBlock, SavedRevision, Workspace } from "./types";
+import type {
+  CanonicalForm,
+  Declaration,
+  DraftKept,
+  Drive,
+  Edit,
+  Findings,
+  IdBlock,
+  SavedRevision,
+  Workspace,
+} from "./types";
 
 const path = (id: number) => ({ path: { task_id: id } });
 
@@ -17,10 +27,11 @@ export const getDrive = (id: number): Promise<Drive> =>
 export const takeIdBlock = (id: number): Promise<IdBlock> =>
   ask(() => client.POST("/api/v1/tasks/{task_id}/id-blocks", { params: path(id) }));
 
-/** Edits since the base revision, as sent to be kept, checked or saved. */
+/** Edits since the base revision, and all declarations of macros, as sent to be kept, checked or saved. */
 export interface DraftBody {
   base_revision: number;
   edits: Edit[];
+  declarations: Declaration[];
 }
 
 export const keepDraft = (id: number, body: DraftBody & { version: number }): Promise<DraftKept> =>
@@ -31,6 +42,10 @@ export const dropDraft = (id: number): Promise<unknown> =>
 
 export const checkDraft = (id: number, body: DraftBody, signal: AbortSignal): Promise<Findings> =>
   ask(() => client.POST("/api/v1/tasks/{task_id}/check", { params: path(id), body, signal }));
+
+/** What takes the draft to its canonical form; nothing is written. */
+export const canonicalForm = (id: number, body: DraftBody): Promise<CanonicalForm> =>
+  ask(() => client.POST("/api/v1/tasks/{task_id}/canonical", { params: path(id), body }));
 
 export type SaveBody = DraftBody & { changeset_uuid: string; note: string };
 

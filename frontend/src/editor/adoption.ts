@@ -84,7 +84,7 @@ export class Adoption {
   history(history: History): History {
     if (!this.translatesHistory) return { done: [], undone: [] };
     const translated = (entries: History["done"]) =>
-      entries.map(({ note, changes }) => ({ note, changes: this.changes(changes) }));
+      entries.map((entry) => ({ ...entry, changes: this.changes(entry.changes) }));
     return { done: translated(history.done), undone: translated(history.undone) };
   }
 

@@ -117,6 +117,8 @@ const steps: fc.Arbitrary<{ name: string; run: Step }> = fc.oneof(
   fc.constant({ name: "save", run: save }),
 );
 
+const NOTHING_ELSE = { declarations: [], canonical: [] };
+
 /** A server that fills heights with 99 and stores the rest as sent. */
 function save(editor: Editor): void {
   const snapshot = editor.actions.takeSnapshot();
@@ -130,7 +132,10 @@ function save(editor: Editor): void {
     return [{ ...lane, left_lane_boundary: left, right_lane_boundary: right }];
   });
   const removed = changed.filter((key) => elementOf(snapshot.document, key) === null);
-  editor.actions.adoptSaved({ revision: savedRevision + 1, changed: wireMap(lanes, []), removed }, snapshot);
+  editor.actions.adoptSaved(
+    { revision: savedRevision + 1, changed: wireMap(lanes, []), removed, ...NOTHING_ELSE },
+    snapshot,
+  );
 }
 
 function sameMaps(a: MapDocument, b: MapDocument): boolean {

@@ -1,6 +1,7 @@
 /** The editor core: pure TypeScript, no map, no DOM, no fetch. */
 
 export { classify } from "./classification";
+export { declarationOf, sameDeclarations } from "./declarations";
 export type { Change, MapDocument } from "./document";
 export { elementOf } from "./document";
 export { editsBetween } from "./edits";
@@ -61,4 +62,14 @@ export type {
 } from "./state";
 export { createEditor } from "./store";
 export { together } from "./topology";
-export type { Edit, EditorSavedRevision, EditorWorkspace, IdBlock, ReceivedEdit } from "./wire";
+export type {
+  Declaration,
+  DraftContent,
+  Edit,
+  EditorSavedRevision,
+  EditorWorkspace,
+  IdBlock,
+  Macros,
+  ReceivedEdit,
+  Renamed,
+} from "./wire";

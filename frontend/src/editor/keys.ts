@@ -25,6 +25,7 @@ export type KeyCommand =
   | "zoom_out"
   | "flicker"
   | "next_issue"
+  | "canonical"
   | "next_frame"
   | "previous_frame"
   | "find"
@@ -164,6 +165,13 @@ export const KEY_TABLE: readonly KeyBinding[] = [
   { command: "previous_frame", keys: ["d"], label: "D", words: "Previous frame", group: "View" },
   { command: "save", keys: ["s"], control: true, label: "Ctrl S", words: "Save a revision", group: "Work" },
   { command: "next_issue", keys: ["n"], label: "N", words: "Next issue", group: "Work" },
+  {
+    command: "canonical",
+    keys: ["m"],
+    label: "M",
+    words: "Make canonical: the same map, told with the fewest changes",
+    group: "Work",
+  },
   { command: "help", keys: ["?"], label: "?", words: "This sheet", group: "Work" },
 ];
 

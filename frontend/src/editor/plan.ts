@@ -2,10 +2,13 @@
 import type { Change } from "./document";
 import type { ElementKey } from "./elements";
 import type { Selection } from "./state";
+import type { Declaration } from "./wire";
 
 export interface Plan {
   readonly note: string;
   readonly changes: readonly Change[];
+  /** All declarations afterwards; left out: those that were. */
+  readonly declarations?: readonly Declaration[];
   /** What is selected afterwards; left out: what was. */
   readonly select?: Selection | null;
 }

@@ -10,6 +10,7 @@ const imported = (id: number) => {
   if (lane === undefined) throw new Error(`no lane ${id}`);
   return lane;
 };
+const NOTHING_ELSE = { declarations: [], canonical: [] };
 const raised = (line: Line, z: number): Line => line.map((point) => ({ ...point, z: point.z ?? z }));
 
 describe("net edits", () => {
@@ -129,7 +130,10 @@ describe("after a save", () => {
     const sent = snapshot.document.lanes.get(1);
     if (sent === undefined) throw new Error("lane 1 is gone");
     const stored = { ...sent, right_lane_boundary: raised(sent.right_lane_boundary, 12.5) };
-    editor.actions.adoptSaved({ revision: 1, changed: wireMap([stored], []), removed: [] }, snapshot);
+    editor.actions.adoptSaved(
+      { revision: 1, changed: wireMap([stored], []), removed: [], ...NOTHING_ELSE },
+      snapshot,
+    );
     expect(editor.getState()).toMatchObject({ savedRevision: 1 });
     expect(editor.actions.netEdits()).toEqual([]);
     expect(editor.getState().current.lanes.get(1)?.right_lane_boundary[2]).toEqual({
@@ -149,7 +153,10 @@ describe("after a save", () => {
     editor.actions.moveVertex({ ...MIDDLE_OF_1, side: "left" }, { x: 20, y: 3.54 });
     const snapshot = editor.actions.takeSnapshot();
     editor.actions.setMark(3, "left", "SOLID_YELLOW");
-    editor.actions.adoptSaved({ revision: 1, changed: wireMap([], []), removed: [] }, snapshot);
+    editor.actions.adoptSaved(
+      { revision: 1, changed: wireMap([], []), removed: [], ...NOTHING_ELSE },
+      snapshot,
+    );
     const { current } = editor.getState();
     expect(current.lanes.get(3)?.left_lane_mark_type).toBe("SOLID_YELLOW");
     expect(at(current.lanes.get(1)?.left_lane_boundary ?? [], 2)).toEqual([20, 3.51]);
@@ -165,7 +172,10 @@ describe("after a save", () => {
     editor.actions.setLaneType(1, "BUS");
     const snapshot = editor.actions.takeSnapshot();
     const other = { ...imported(10), lane_type: "BUS" as const };
-    editor.actions.adoptSaved({ revision: 1, changed: wireMap([other], []), removed: [] }, snapshot);
+    editor.actions.adoptSaved(
+      { revision: 1, changed: wireMap([other], []), removed: [], ...NOTHING_ELSE },
+      snapshot,
+    );
     expect(editor.getState().history).toEqual({ done: [], undone: [] });
     expect(editor.getState().current.lanes.get(1)?.lane_type).toBe("VEHICLE");
     expect(editor.getState().current.lanes.get(10)?.lane_type).toBe("BUS");
@@ -182,4 +192,77 @@ test("a revision opens with its changes on the imported map", () => {
     ["pedestrian_crossing:1", ["deletion"]],
   ]);
   expect(editor.actions.netEdits()).toEqual([]);
+});
+
+describe("declared macros", () => {
+  const SHAPE = { shape: true, appearance: false, function: false, lane_graph: false, lane_number: 0 };
+  const LANE_1 = { kind: "lane_segment", id: 1 } as const;
+  const LANE_3 = { kind: "lane_segment", id: 3 } as const;
+
+  test("are part of the draft, undone and redone like edits", () => {
+    const editor = open();
+    editor.actions.declare([LANE_1, LANE_3], SHAPE);
+    const declared = [{ elements: [LANE_1, LANE_3], macros: SHAPE }];
+    expect(editor.actions.netDraft()).toEqual({ edits: [], declarations: declared });
+    editor.actions.undo();
+    expect(editor.actions.netDraft()).toEqual({ edits: [], declarations: null });
+    editor.actions.redo();
+    expect(editor.actions.netDraft().declarations).toEqual(declared);
+  });
+
+  test("of an update replace what was declared of it before, or are withdrawn", () => {
+    const editor = open();
+    editor.actions.declare([LANE_1, LANE_3], SHAPE);
+    editor.actions.declare([LANE_3], { ...SHAPE, lane_number: 1 });
+    expect(editor.getState().declarations).toEqual([
+      { elements: [LANE_3], macros: { ...SHAPE, lane_number: 1 } },
+    ]);
+    editor.actions.declare([LANE_3], null);
+    expect(editor.actions.netDraft().declarations).toBeNull();
+  });
+
+  test("come back with a kept draft, and with its undo steps", () => {
+    const editor = open();
+    editor.actions.declare([LANE_1], SHAPE);
+    const { declarations } = editor.actions.netDraft();
+    const again = open();
+    again.actions.loadDraft([], structuredClone(editor.getState().history), declarations);
+    expect(again.actions.netDraft().declarations).toEqual(declarations);
+    again.actions.undo();
+    expect(again.actions.netDraft().declarations).toBeNull();
+  });
+});
+
+test("a draft is discarded as one step that can be undone", () => {
+  const editor = open();
+  editor.actions.setLaneType(1, "BUS");
+  editor.actions.deleteElement({ kind: "pedestrian_crossing", id: 1 });
+  editor.actions.discardDraft();
+  expect(editor.actions.netEdits()).toEqual([]);
+  editor.actions.undo();
+  expect(editor.actions.netEdits()).toHaveLength(2);
+});
+
+test("a save that exchanges ids takes the selection and later edits along", () => {
+  const editor = open();
+  editor.actions.setLaneType(1, "BUS");
+  const snapshot = editor.actions.takeSnapshot();
+  editor.actions.select({ kind: "lane_segment", id: 20 });
+  editor.actions.setLaneType(20, "BIKE");
+  const [one, other] = [imported(20), imported(21)];
+  const canonical = [
+    { kind: "lane_segment", from: 20, to: 21 },
+    { kind: "lane_segment", from: 21, to: 20 },
+  ] as const;
+  const changed = wireMap(
+    [
+      { ...imported(1), lane_type: "BUS" },
+      { ...one, id: 21 },
+      { ...other, id: 20 },
+    ],
+    [],
+  );
+  editor.actions.adoptSaved({ revision: 1, changed, removed: [], declarations: [], canonical }, snapshot);
+  expect(editor.getState().selection?.id).toBe(21);
+  expect(editor.actions.netEdits()).toMatchObject([{ id: 21, attributes: { lane_type: "BIKE" } }]);
 });

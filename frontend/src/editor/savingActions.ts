@@ -1,6 +1,7 @@
 /** History, drafts and saves. */
 import { Adoption } from "./adoption";
-import { applyChanges, type Change, elementOf, type MapDocument } from "./document";
+import { redeclared, sameDeclarations } from "./declarations";
+import { applyChanges, type Change, differingKeys, elementOf, type MapDocument } from "./document";
 import { changesOf, editsBetween } from "./edits";
 import { type KeyText, keyText } from "./elements";
 import { equalElements } from "./equality";
@@ -9,11 +10,21 @@ import { renumbered, strangers } from "./renumber";
 import { NO_IDS, type Stage } from "./stage";
 import type { EditorActions, History } from "./state";
 import { storedMap } from "./storedMap";
-import type { ReceivedEdit } from "./wire";
+import type { Declaration, ReceivedEdit } from "./wire";
 
 type SavingActions = Pick<
   EditorActions,
-  "applyEdits" | "applyFix" | "loadDraft" | "netEdits" | "takeSnapshot" | "adoptSaved" | "undo" | "redo"
+  | "applyEdits"
+  | "applyFix"
+  | "declare"
+  | "discardDraft"
+  | "loadDraft"
+  | "netEdits"
+  | "netDraft"
+  | "takeSnapshot"
+  | "adoptSaved"
+  | "undo"
+  | "redo"
 >;
 
 export function savingActions(stage: Stage): SavingActions {
@@ -21,16 +32,16 @@ export function savingActions(stage: Stage): SavingActions {
 
   const netEdits = () => editsBetween(stage.state.saved, stage.state.current);
 
-  const applyEdits: EditorActions["applyEdits"] = (edits, note) => {
+  const applyEdits: EditorActions["applyEdits"] = (edits, note, declarations) => {
     const changes = readChanges(stage.state.current, edits);
     if (typeof changes === "string")
       return stage.refuse(`This fix does not fit the map any more: ${changes}.`);
-    return stage.run(() => ({ note, changes }));
+    return stage.run(() => ({ note, changes, declarations: declarations ?? stage.state.declarations }));
   };
 
   return {
     applyEdits,
-    applyFix: async (edits, note) => {
+    applyFix: async (edits, note, declarations) => {
       const { base, saved, current } = stage.state;
       const ids = new Map<KeyText, number>();
       try {
@@ -40,10 +51,26 @@ export function savingActions(stage: Stage): SavingActions {
       } catch {
         return stage.refuse(NO_IDS);
       }
-      return applyEdits(renumbered(edits, ids), note);
+      return applyEdits(renumbered(edits, ids), note, declarations);
     },
-    loadDraft: (edits, history) => {
-      const { saved } = stage.state;
+    declare: (elements, macros) =>
+      stage.run(() => ({
+        note: macros === null ? "Withdrew a declaration of macros" : "Declared the macros of an update",
+        changes: [],
+        declarations: redeclared(stage.state.declarations, elements, macros),
+      })),
+    discardDraft: () => {
+      const { saved, current, savedDeclarations: declarations } = stage.state;
+      const changes = differingKeys(current, saved).map((key) => ({
+        key,
+        before: elementOf(current, key),
+        after: elementOf(saved, key),
+      }));
+      return stage.run(() => ({ note: "Discarded the draft", changes, declarations }));
+    },
+    loadDraft: (edits, history, kept = null) => {
+      const { saved, savedDeclarations } = stage.state;
+      const declarations = kept ?? savedDeclarations;
       const changes = readChanges(saved, edits);
       if (typeof changes === "string") {
         return stage.refuse(
@@ -51,20 +78,49 @@ export function savingActions(stage: Stage): SavingActions {
         );
       }
       const current = applyChanges(saved, changes);
-      const done = history && leadsTo(saved, history, current) ? history.done : oneStep(changes);
-      stage.show(current, null);
+      const stated = history?.done.findLast((entry) => entry.declarations)?.declarations?.after;
+      const whole =
+        history &&
+        leadsTo(saved, history, current) &&
+        sameDeclarations(stated ?? savedDeclarations, declarations);
+      const done = whole ? history.done : oneStep(changes, savedDeclarations, declarations);
+      stage.show(current, null, declarations);
       store.setState({ history: { done, undone: [] } });
       return { ok: true };
     },
     netEdits,
-    takeSnapshot: () => ({ edits: netEdits(), document: stage.state.current }),
+    netDraft: () => {
+      const { declarations, savedDeclarations } = stage.state;
+      const same = sameDeclarations(declarations, savedDeclarations);
+      return { edits: netEdits(), declarations: same ? null : [...declarations] };
+    },
+    takeSnapshot: () => ({
+      edits: netEdits(),
+      declarations: [...stage.state.declarations],
+      document: stage.state.current,
+    }),
     adoptSaved: (answer, snapshot) => {
-      const { saved, current, history, selection } = stage.state;
+      const { saved, current, history, selection, declarations } = stage.state;
       const stored = storedMap(saved, answer);
       const adoption = new Adoption(saved, snapshot.document, stored);
-      const since = adoption.current(current, snapshot.document, stored);
-      store.setState({ saved: stored, savedRevision: answer.revision, history: adoption.history(history) });
-      stage.show(applyChanges(stored, since), selection);
+      const renames = new Map(
+        answer.canonical.map(({ kind, from, to }) => [keyText({ kind, id: from }), to]),
+      );
+      const since =
+        renames.size === 0
+          ? adoption.current(current, snapshot.document, stored)
+          : renamedSince(snapshot.document, current, stored, renames);
+      if (since === null)
+        stage.say("What you edited during the save does not fit the saved map: do it again.");
+      store.setState({
+        saved: stored,
+        savedRevision: answer.revision,
+        savedDeclarations: answer.declarations,
+        history: adoption.history(history),
+      });
+      const follows = selection && { ...selection, id: renames.get(keyText(selection)) ?? selection.id };
+      const untouched = sameDeclarations(declarations, snapshot.declarations);
+      stage.show(applyChanges(stored, since ?? []), follows, untouched ? answer.declarations : declarations);
     },
     undo: () => stage.undo(),
     redo: () => stage.redo(),
@@ -80,8 +136,28 @@ function readChanges(document: MapDocument, edits: readonly ReceivedEdit[]): Cha
   }
 }
 
-function oneStep(changes: readonly Change[]): History["done"] {
-  return changes.length === 0 ? [] : [{ note: "Loaded the kept draft", changes }];
+function oneStep(
+  changes: readonly Change[],
+  before: readonly Declaration[],
+  after: readonly Declaration[],
+): History["done"] {
+  const declares = !sameDeclarations(before, after);
+  if (changes.length === 0 && !declares) return [];
+  return [
+    { note: "Loaded the kept draft", changes, ...(declares ? { declarations: { before, after } } : {}) },
+  ];
+}
+
+/** What was edited while a save was under way that gave elements other ids; null: it does not fit what was stored. */
+function renamedSince(
+  sent: MapDocument,
+  current: MapDocument,
+  stored: MapDocument,
+  renames: ReadonlyMap<KeyText, number>,
+): Change[] | null {
+  const edits = editsBetween(sent, current).map((edit) => ({ ...edit, attributes: { ...edit.attributes } }));
+  const changes = readChanges(stored, renumbered(edits, renames));
+  return typeof changes === "string" ? null : changes;
 }
 
 /** Whether a kept history, step by step, makes the draft out of the saved map. */

@@ -1,12 +1,14 @@
 /** What all actions stand on: the store, plans carried out as undo steps, refusals told, fresh ids. */
 import type { StoreApi } from "zustand/vanilla";
 import { changedElements } from "./classification";
+import { sameDeclarations } from "./declarations";
 import { applyChanges, elementOf, type MapDocument, reverseChanges } from "./document";
 import type { IdSource } from "./ids";
 import { lineOf } from "./lines";
 import { baseCutAlike } from "./parts";
 import { isRefusal, type Planned } from "./plan";
 import type { EditorState, Outcome, Selection } from "./state";
+import type { Declaration } from "./wire";
 
 export const NO_IDS =
   "No new element can be made now: the server gave no ids. Try again when the connection is back.";
@@ -42,14 +44,17 @@ export class Stage {
     if (isRefusal(planned)) return this.refuse(planned.refused);
     this.#ids.prepare();
     const { note, changes, select } = planned;
+    const { history, current, declarations: before } = this.state;
+    const after = planned.declarations ?? before;
     const selection = select === undefined ? this.state.selection : select;
-    if (changes.length === 0) {
+    const declares = !sameDeclarations(before, after);
+    if (changes.length === 0 && !declares) {
       this.store.setState({ staged: null, selection });
       return { ok: true };
     }
-    const { history, current } = this.state;
-    this.show(applyChanges(current, changes), selection);
-    this.store.setState({ history: { done: [...history.done, { note, changes }], undone: [] } });
+    const entry = { note, changes, ...(declares ? { declarations: { before, after } } : {}) };
+    this.show(applyChanges(current, changes), selection, after);
+    this.store.setState({ history: { done: [...history.done, entry], undone: [] } });
     return { ok: true };
   }
 
@@ -62,9 +67,14 @@ export class Stage {
     this.store.setState({ staged: { note, changes }, selection: select });
   }
 
-  show(current: MapDocument, selection: Selection | null): void {
+  show(
+    current: MapDocument,
+    selection: Selection | null,
+    declarations: readonly Declaration[] = this.state.declarations,
+  ): void {
     this.store.setState({
       current,
+      declarations,
       staged: null,
       selection: standing(current, selection),
       changedKeys: changedElements(baseCutAlike(this.state.base, current), current),
@@ -75,7 +85,8 @@ export class Stage {
     const { history, current, selection } = this.state;
     const entry = history.done.at(-1);
     if (entry === undefined) return;
-    this.show(applyChanges(current, reverseChanges(entry.changes)), selection);
+    const { changes, declarations } = entry;
+    this.show(applyChanges(current, reverseChanges(changes)), selection, declarations?.before);
     this.store.setState({ history: { done: history.done.slice(0, -1), undone: [...history.undone, entry] } });
   }
 
@@ -83,7 +94,7 @@ export class Stage {
     const { history, current, selection } = this.state;
     const entry = history.undone.at(-1);
     if (entry === undefined) return;
-    this.show(applyChanges(current, entry.changes), selection);
+    this.show(applyChanges(current, entry.changes), selection, entry.declarations?.after);
     this.store.setState({ history: { done: [...history.done, entry], undone: history.undone.slice(0, -1) } });
   }
 

@@ -2,7 +2,16 @@
 import type { StoreApi } from "zustand/vanilla";
 import type { Change, MapDocument } from "./document";
 import type { ElementKey, KeyText, LaneType, LineName, Mark, Place, Side, VertexRef } from "./elements";
-import type { Edit, EditorSavedRevision, EditorWorkspace, IdBlock, ReceivedEdit } from "./wire";
+import type {
+  Declaration,
+  DraftContent,
+  Edit,
+  EditorSavedRevision,
+  EditorWorkspace,
+  IdBlock,
+  Macros,
+  ReceivedEdit,
+} from "./wire";
 
 export type Tool = "select" | "draw_lane" | "lane_beside" | "draw_crossing" | "cut";
 
@@ -16,6 +25,11 @@ export interface Selection extends ElementKey {
 export interface HistoryEntry {
   readonly note: string;
   readonly changes: readonly Change[];
+  /** Declared macros before and after; left out: untouched. */
+  readonly declarations?: {
+    readonly before: readonly Declaration[];
+    readonly after: readonly Declaration[];
+  };
 }
 
 export interface History {
@@ -52,6 +66,9 @@ export interface EditorState {
   readonly savedRevision: number;
   /** What is on the screen. */
   readonly current: MapDocument;
+  /** Declared macros as they stand in the draft, and in the open revision. */
+  readonly declarations: readonly Declaration[];
+  readonly savedDeclarations: readonly Declaration[];
   readonly readOnly: boolean;
   readonly selection: Selection | null;
   readonly hover: ElementKey | null;
@@ -73,6 +90,7 @@ export type Inserted =
 /** The document at the moment a save was sent: hand it back to `adoptSaved` with the answer. */
 export interface SaveSnapshot {
   readonly edits: Edit[];
+  readonly declarations: Declaration[];
   readonly document: MapDocument;
 }
 
@@ -136,14 +154,27 @@ export interface EditorActions {
   /** The element as it was imported (a deleted one comes back, an inserted one goes). */
   revertElement(key: ElementKey): Outcome;
   /** Applies the edits of a violation's fix as one undo step; what it inserts gets ids of this workspace. */
-  applyFix(edits: readonly ReceivedEdit[], note: string): Promise<Outcome>;
+  applyFix(
+    edits: readonly ReceivedEdit[],
+    note: string,
+    declarations?: readonly Declaration[],
+  ): Promise<Outcome>;
   /** Applies edits as they are, all or none, as one undo step. */
-  applyEdits(edits: readonly ReceivedEdit[], note: string): Outcome;
+  applyEdits(edits: readonly ReceivedEdit[], note: string, declarations?: readonly Declaration[]): Outcome;
+  /** States the macros of the update that the elements are in; null: withdraws what was stated. */
+  declare(elements: readonly ElementKey[], macros: Macros | null): Outcome;
+  /** Back to the open revision, as one undo step. */
+  discardDraft(): Outcome;
 
   /** Puts a kept draft onto the open revision; the history is taken over when it leads to the same map. */
-  loadDraft(edits: readonly ReceivedEdit[], history?: History): Outcome;
+  loadDraft(
+    edits: readonly ReceivedEdit[],
+    history?: History,
+    declarations?: readonly Declaration[] | null,
+  ): Outcome;
   /** The smallest edits that turn the saved revision into the current map. */
   netEdits(): Edit[];
+  netDraft(): DraftContent;
   takeSnapshot(): SaveSnapshot;
   /** Takes over what the server stored; edits made since the snapshot stay, as does the history. */
   adoptSaved(saved: EditorSavedRevision, snapshot: SaveSnapshot): void;

@@ -20,6 +20,8 @@ export const createEditor: CreateEditor = (workspace, takeIds) => {
     saved,
     savedRevision: workspace.revision,
     current: saved,
+    declarations: workspace.declarations,
+    savedDeclarations: workspace.declarations,
     readOnly: !workspace.task.can_edit,
     selection: null,
     hover: null,

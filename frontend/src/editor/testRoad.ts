@@ -190,6 +190,7 @@ export function workspaceOf(options: { canEdit?: boolean } = {}): EditorWorkspac
     base: wireMap(LANES, CROSSINGS),
     changed: { lanes: [], crossings: [] },
     removed: [],
+    declarations: [],
   };
 }
 

@@ -35,6 +35,28 @@ export interface WireMap {
   readonly crossings: readonly { readonly version: number; readonly attributes: WireCrossing }[];
 }
 
+/** How a structural update changes the local road (change-mapping §4). */
+export interface Macros {
+  shape: boolean;
+  appearance: boolean;
+  function: boolean;
+  lane_graph: boolean;
+  lane_number: number;
+}
+
+/** The macros that an annotator states for the update that these elements are in. */
+export interface Declaration {
+  elements: ElementKey[];
+  macros: Macros;
+}
+
+/** An element that a save gave another id, because the update is told more simply so. */
+export interface Renamed {
+  readonly kind: ElementKind;
+  readonly from: number;
+  readonly to: number;
+}
+
 /** What the editor needs of an opened workspace. */
 export interface EditorWorkspace {
   readonly task: { readonly can_edit: boolean };
@@ -42,6 +64,7 @@ export interface EditorWorkspace {
   readonly base: WireMap;
   readonly changed: WireMap;
   readonly removed: readonly ElementKey[];
+  readonly declarations: readonly Declaration[];
 }
 
 /** What the editor needs of the answer to a save. */
@@ -49,6 +72,8 @@ export interface EditorSavedRevision {
   readonly revision: number;
   readonly changed: WireMap;
   readonly removed: readonly ElementKey[];
+  readonly declarations: readonly Declaration[];
+  readonly canonical: readonly Renamed[];
 }
 
 /** Fresh element ids, both ends included. */
@@ -82,6 +107,12 @@ export interface Edit {
   kind: ElementKind;
   id: number;
   attributes: EditAttributes;
+}
+
+/** What is not saved yet; `declarations` null: those of the saved revision stand. */
+export interface DraftContent {
+  readonly edits: Edit[];
+  readonly declarations: Declaration[] | null;
 }
 
 /** An edit as it comes: from the server (a fix, a stored draft) or this computer's storage. Not trusted. */

@@ -34,8 +34,8 @@ export function attachKeyboard(
     tool_lane_beside: () => actions.setTool("lane_beside"),
     tool_draw_crossing: () => actions.setTool("draw_crossing"),
     tool_cut: () => actions.setTool("cut"),
-    join: () => withSelectedLane(editor, actions.joinLane),
-    reverse: () => withSelectedLane(editor, actions.reverseLane),
+    join: () => withSelectedLane(editor, (lane) => actions.joinLane(lane)),
+    reverse: () => withSelectedLane(editor, (lane) => actions.reverseLane(lane)),
     cancel: () => actions.cancel(),
     finish: () => {
       if (editor.getState().sketch === null) onCommand({ name: "apply_fix" });
@@ -72,6 +72,7 @@ export function attachKeyboard(
     previous_frame: page("previous_frame"),
     find: page("find"),
     help: page("help"),
+    canonical: page("canonical"),
   };
 
   const onDown = (event: KeyboardEvent) => {

@@ -33,7 +33,17 @@ export type Direction = "prior_to_current" | "current_to_prior";
 
 /** Commands that keys give with the map focused and that the page carries out, not the map. */
 export type PageCommand =
-  | { readonly name: "save" | "help" | "find" | "next_issue" | "apply_fix" | "next_frame" | "previous_frame" }
+  | {
+      readonly name:
+        | "save"
+        | "help"
+        | "find"
+        | "next_issue"
+        | "apply_fix"
+        | "canonical"
+        | "next_frame"
+        | "previous_frame";
+    }
   | { readonly name: "flicker"; readonly held: boolean };
 
 export interface MapMarker {

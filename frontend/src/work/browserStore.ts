@@ -2,7 +2,7 @@
 import { type DBSchema, type IDBPDatabase, openDB } from "idb";
 import type { Remark } from "../api/types";
 import type { SaveBody } from "../api/workspace";
-import type { Edit, History } from "../editor";
+import type { Declaration, Edit, History } from "../editor";
 
 /** One person's work in one task. */
 export interface WorkKey {
@@ -16,6 +16,8 @@ export interface LocalDraft {
   format: 1;
   baseRevision: number;
   edits: Edit[];
+  /** All declarations of macros; null, or left out by an older version: those of the base revision. */
+  declarations?: Declaration[] | null;
   history: History | null;
   /** The server's draft that this one goes on from; 0: none. */
   serverVersion: number;
@@ -33,6 +35,7 @@ export interface ParkedDraft {
   reason: string;
   baseRevision: number;
   edits: readonly unknown[];
+  declarations: readonly unknown[] | null;
 }
 
 interface Schema extends DBSchema {

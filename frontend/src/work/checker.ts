@@ -3,7 +3,7 @@ import type { StoreApi } from "zustand/vanilla";
 import { asProblem } from "../api/problem";
 import type { ConflictingElement } from "../api/types";
 import { checkDraft } from "../api/workspace";
-import type { Edit, Editor } from "../editor";
+import type { DraftContent, Editor } from "../editor";
 import { backoffMs } from "./backoff";
 import type { StaleBase, WorkState } from "./workState";
 
@@ -26,10 +26,10 @@ export class Checker {
   ) {}
 
   /** The map has changed, or the answer at hand is out of date. */
-  note(edits: Edit[], afterMs = CHECK_AFTER_MS): void {
+  note(draft: DraftContent, afterMs = CHECK_AFTER_MS): void {
     this.stop();
     this.store.setState({ checking: true });
-    this.timer = setTimeout(() => void this.check(edits), afterMs);
+    this.timer = setTimeout(() => void this.check(draft), afterMs);
   }
 
   stop(): void {
@@ -39,10 +39,12 @@ export class Checker {
     this.controller = null;
   }
 
-  private async check(edits: Edit[]): Promise<void> {
+  private async check(draft: DraftContent): Promise<void> {
     const controller = new AbortController();
     this.controller = controller;
-    const body = { base_revision: this.editor.getState().savedRevision, edits };
+    const { savedRevision, savedDeclarations } = this.editor.getState();
+    const declarations = draft.declarations ?? [...savedDeclarations];
+    const body = { base_revision: savedRevision, edits: draft.edits, declarations };
     try {
       const findings = await checkDraft(this.task, body, controller.signal);
       if (controller.signal.aborted) return;
@@ -53,7 +55,7 @@ export class Checker {
       const problem = asProblem(error);
       if (problem.passing) {
         this.failures += 1;
-        this.note(edits, backoffMs(this.failures));
+        this.note(draft, backoffMs(this.failures));
       } else if (problem.code === "save.stale") {
         this.store.setState({ checking: false, stale: staleBase(problem.facts) });
       } else {

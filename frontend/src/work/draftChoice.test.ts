@@ -26,6 +26,7 @@ const local = (change: Partial<LocalDraft> = {}): LocalDraft => ({
 const server = (change: Partial<Draft> = {}): Draft => ({
   base_revision: 2,
   edits: [{ ...deletion, attributes: {} }],
+  declarations: [],
   version: 5,
   kept_at: "2026-01-01T00:00:00Z",
   ...change,
@@ -63,8 +64,17 @@ describe("which kept draft a task opens with", () => {
     expect(chooseDraft(local(), server({ version: 6, edits: [same] })).kind).toBe("server");
   });
 
+  it("is one that only declares macros, or withdraws what was declared", () => {
+    const macros = { shape: true, appearance: false, function: false, lane_graph: false, lane_number: 0 };
+    const declared = [{ elements: [{ kind: "lane_segment" as const, id: 7 }], macros }];
+    expect(chooseDraft(null, server({ edits: [], declarations: declared })).kind).toBe("server");
+    expect(chooseDraft(null, server({ edits: [] }), declared).kind).toBe("server");
+    expect(chooseDraft(local({ edits: [], declarations: declared }), null).kind).toBe("local");
+    expect(chooseDraft(local({ edits: [], declarations: [] }), null).kind).toBe("local");
+  });
+
   it("is the save that was sent and never seen answered, whatever the server has", () => {
-    const sent = { base_revision: 2, edits: [repaint], changeset_uuid: "u", note: "" };
+    const sent = { base_revision: 2, edits: [repaint], declarations: [], changeset_uuid: "u", note: "" };
     expect(chooseDraft(local({ edits: [], sent, synced: true }), null).kind).toBe("local");
   });
 });

@@ -1,5 +1,6 @@
 /** Which of two kept drafts, this computer's and the server's, is the one to go on with. */
 import type { Draft } from "../api/types";
+import { type Declaration, sameDeclarations } from "../editor";
 import type { LocalDraft } from "./browserStore";
 
 export type DraftChoice =
@@ -9,11 +10,20 @@ export type DraftChoice =
   /** Both hold work that the other has not: the user decides. */
   | { kind: "conflict"; local: LocalDraft; draft: Draft };
 
-const holdsWork = (draft: { edits: readonly unknown[] } | null) => draft !== null && draft.edits.length > 0;
+/** Without edits it holds what was declared, or withdrawn. */
+const holdsWork = ({ edits, declarations = null }: Pick<LocalDraft, "edits" | "declarations">) =>
+  edits.length > 0 || declarations !== null;
 
-export function chooseDraft(local: LocalDraft | null, server: Draft | null): DraftChoice {
+/** `declared`: the declarations of the saved revision. */
+export function chooseDraft(
+  local: LocalDraft | null,
+  server: Draft | null,
+  declared: readonly Declaration[] = [],
+): DraftChoice {
   if (local === null || (!holdsWork(local) && local.sent === null)) {
-    return server !== null && holdsWork(server) ? { kind: "server", draft: server } : { kind: "none" };
+    const holds =
+      server !== null && (server.edits.length > 0 || !sameDeclarations(server.declarations, declared));
+    return holds ? { kind: "server", draft: server } : { kind: "none" };
   }
   // A save without an answer goes first: it may have been carried out, and then the server has no draft any more.
   if (local.sent !== null) return { kind: "local", local };
@@ -27,7 +37,11 @@ export function chooseDraft(local: LocalDraft | null, server: Draft | null): Dra
 }
 
 function sameEdits(local: LocalDraft, server: Draft): boolean {
-  return local.baseRevision === server.base_revision && canonical(local.edits) === canonical(server.edits);
+  return (
+    local.baseRevision === server.base_revision &&
+    canonical(local.edits) === canonical(server.edits) &&
+    (local.declarations == null || sameDeclarations(local.declarations, server.declarations))
+  );
 }
 
 /** JSON with sorted keys, so that two texts are equal when the values are. */

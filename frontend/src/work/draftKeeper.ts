@@ -6,7 +6,7 @@ import type { StoreApi } from "zustand/vanilla";
 import { asProblem } from "../api/problem";
 import type { Draft } from "../api/types";
 import { dropDraft, keepDraft, type SaveBody } from "../api/workspace";
-import type { Edit, Editor } from "../editor";
+import type { DraftContent, Edit, Editor } from "../editor";
 import { backoffMs } from "./backoff";
 import { removeDraft, type WorkKey, writeDraft } from "./browserStore";
 import type { Keeping, WorkState } from "./workState";
@@ -20,7 +20,7 @@ export interface KeptSoFar {
 }
 
 export class DraftKeeper {
-  private edits: Edit[];
+  private draft: DraftContent;
   private serverVersion: number;
   private sent: SaveBody | null;
   /** Whether there is something that the server has not. */
@@ -40,10 +40,10 @@ export class DraftKeeper {
     private readonly store: StoreApi<WorkState>,
     kept: KeptSoFar,
   ) {
-    this.edits = editor.actions.netEdits();
+    this.draft = editor.actions.netDraft();
     this.serverVersion = kept.serverVersion;
     this.sent = kept.sent;
-    this.dirty = !kept.synced && this.edits.length > 0;
+    this.dirty = !kept.synced && !this.empty;
   }
 
   start(): void {
@@ -58,12 +58,16 @@ export class DraftKeeper {
     globalThis.removeEventListener("online", this.pushNow);
   }
 
-  /** The map has changed. */
-  note(edits: Edit[]): void {
-    this.edits = edits;
+  private get empty(): boolean {
+    return this.draft.edits.length === 0 && this.draft.declarations === null;
+  }
+
+  /** The map, or what is declared of it, has changed. */
+  note(draft: DraftContent): void {
+    this.draft = draft;
     this.changedAt = Date.now();
     this.dirty = true;
-    this.show(edits.length === 0 ? { where: "nothing" } : { where: "computer" });
+    this.show(this.empty ? { where: "nothing" } : { where: "computer" });
     void this.persist();
     this.schedule(PUSH_AFTER_MS);
   }
@@ -85,13 +89,13 @@ export class DraftKeeper {
     if (this.dirty) this.schedule(0);
   }
 
-  /** The server has answered the save, and dropped its draft with it; `edits`: what was made since. */
-  async saved(edits: Edit[]): Promise<void> {
+  /** The server has answered the save, and dropped its draft with it; `draft`: what was made since. */
+  async saved(draft: DraftContent): Promise<void> {
     this.paused = false;
     this.sent = null;
     this.serverVersion = 0;
-    this.edits = edits;
-    this.dirty = edits.length > 0;
+    this.draft = draft;
+    this.dirty = !this.empty;
     this.show(this.dirty ? { where: "computer" } : { where: "nothing" });
     await this.persist();
     if (this.dirty) this.schedule(0);
@@ -105,14 +109,21 @@ export class DraftKeeper {
     this.schedule(0);
   }
 
-  /** After `stop`: leaves a draft on another base for the next opening. */
+  /** After `stop`: leaves a draft on another base for the next opening, or none where nothing is left of it. */
   async rebase(baseRevision: number, edits: Edit[]): Promise<void> {
+    const { declarations } = this.draft;
     await this.pushing;
     await this.writing;
+    if (edits.length === 0 && declarations === null) {
+      if (this.serverVersion !== 0) await dropDraft(this.key.task);
+      await removeDraft(this.key);
+      return;
+    }
     await writeDraft(this.key, {
       format: 1,
       baseRevision,
       edits,
+      declarations,
       history: null,
       serverVersion: this.serverVersion,
       synced: false,
@@ -132,14 +143,14 @@ export class DraftKeeper {
     this.writeQueued = false;
     const { savedRevision, history } = this.editor.getState();
     try {
-      if (this.edits.length === 0 && this.sent === null) {
+      if (this.empty && this.sent === null) {
         await removeDraft(this.key);
         return;
       }
       await writeDraft(this.key, {
         format: 1,
         baseRevision: savedRevision,
-        edits: this.edits,
+        ...this.draft,
         history,
         serverVersion: this.serverVersion,
         synced: !this.dirty,
@@ -178,10 +189,10 @@ export class DraftKeeper {
   private async push(): Promise<number | null> {
     this.dirty = false;
     try {
-      await this.pushEdits(this.edits);
+      await this.pushDraft();
       this.failures = 0;
       if (this.changedSince()) return PUSH_AFTER_MS;
-      this.show(this.edits.length === 0 ? { where: "nothing" } : { where: "server", at: Date.now() });
+      this.show(this.empty ? { where: "nothing" } : { where: "server", at: Date.now() });
       await this.persist();
       return null;
     } catch (error) {
@@ -191,6 +202,11 @@ export class DraftKeeper {
         this.failures += 1;
         this.show({ where: "offline" });
         return backoffMs(this.failures);
+      }
+      if (problem.code === "draft.superseded") {
+        // Another device has saved since; this draft is more than a late copy of that, so it is kept all the same.
+        this.serverVersion = problem.facts.version as number;
+        return 0;
       }
       const newer = problem.code === "draft.newer" ? (problem.facts.draft as Draft | null) : undefined;
       if (newer === null) {
@@ -208,15 +224,18 @@ export class DraftKeeper {
     return this.dirty;
   }
 
-  private async pushEdits(edits: Edit[]): Promise<void> {
-    if (edits.length === 0) {
+  private async pushDraft(): Promise<void> {
+    const { edits, declarations } = this.draft;
+    if (this.empty) {
       if (this.serverVersion !== 0) await dropDraft(this.key.task);
       this.serverVersion = 0;
       return;
     }
+    const { savedRevision, savedDeclarations } = this.editor.getState();
     const kept = await keepDraft(this.key.task, {
-      base_revision: this.editor.getState().savedRevision,
+      base_revision: savedRevision,
       edits,
+      declarations: declarations ?? [...savedDeclarations],
       version: this.serverVersion,
     });
     this.serverVersion = kept.version;

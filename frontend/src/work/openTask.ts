@@ -1,10 +1,18 @@
 /** Opens a task with whatever unsaved work of the user is kept anywhere. */
 import type { Draft, Workspace } from "../api/types";
 import { openWorkspace, type SaveBody, takeIdBlock } from "../api/workspace";
-import { createEditor, type Edit, type Editor, type History, type ReceivedEdit } from "../editor";
+import {
+  createEditor,
+  type Declaration,
+  type Edit,
+  type Editor,
+  type History,
+  type ReceivedEdit,
+} from "../editor";
 import { type LocalDraft, parkDraft, readDraft, removeDraft, type WorkKey } from "./browserStore";
 import { chooseDraft, type DraftChoice } from "./draftChoice";
 import { WorkSession } from "./workSession";
+import { countChanges } from "./workState";
 
 export interface Reading {
   kind: "reading";
@@ -38,6 +46,8 @@ export type Opened = Reading | Editing | Choosing;
 interface Chosen {
   baseRevision: number;
   edits: readonly ReceivedEdit[];
+  /** null: those of the base revision. */
+  declarations: Declaration[] | null;
   history: History | null;
   serverVersion: number;
   synced: boolean;
@@ -49,7 +59,15 @@ interface Chosen {
 const received = (edits: readonly (Edit | SaveBody["edits"][number])[]): ReceivedEdit[] =>
   edits.map((edit) => ({ ...edit, attributes: { ...edit.attributes } }));
 
-const NOTHING_KEPT = { edits: [], history: null, serverVersion: 0, synced: true, keptAt: null, sent: null };
+const NOTHING_KEPT = {
+  edits: [],
+  declarations: null,
+  history: null,
+  serverVersion: 0,
+  synced: true,
+  keptAt: null,
+  sent: null,
+};
 
 /** A task as it was at some revision, only to look at. */
 export async function openRevision(task: number, revision: number): Promise<Reading> {
@@ -68,10 +86,10 @@ export async function openTask(key: WorkKey, decision: "local" | "server" | null
   const local = await readDraft(key).catch(() => null);
   const workspace = await openWorkspace(key.task);
   if (!workspace.task.can_edit) {
-    const leftover = local !== null && local.edits.length > 0 ? local : null;
+    const leftover = local !== null && (local.edits.length > 0 || local.declarations != null) ? local : null;
     return { kind: "reading", workspace, editor: readOnlyEditor(workspace), leftover };
   }
-  let choice = chooseDraft(local, workspace.draft);
+  let choice = chooseDraft(local, workspace.draft, workspace.declarations);
   if (choice.kind === "conflict") {
     if (decision === null) return { kind: "choosing", workspace, local: choice.local, server: choice.draft };
     choice = await decided(key, choice, decision);
@@ -87,25 +105,36 @@ async function decided(
 ): Promise<DraftChoice> {
   if (decision === "local") {
     const reason = "kept by another window or computer";
-    await parkDraft(key, { reason, baseRevision: draft.base_revision, edits: draft.edits });
+    const { base_revision: baseRevision, edits, declarations } = draft;
+    await parkDraft(key, { reason, baseRevision, edits, declarations });
     return { kind: "local", local: { ...local, serverVersion: draft.version } };
   }
   const reason = "kept by this computer";
-  await parkDraft(key, { reason, baseRevision: local.baseRevision, edits: local.edits });
+  const { baseRevision, edits, declarations = null } = local;
+  await parkDraft(key, { reason, baseRevision, edits, declarations });
   return { kind: "server", draft };
 }
 
 function chosenDraft(choice: DraftChoice, workspace: Workspace): Chosen {
   if (choice.kind === "local") {
-    const { baseRevision, history, serverVersion, synced, changedAt, sent } = choice.local;
+    const {
+      baseRevision,
+      declarations = null,
+      history,
+      serverVersion,
+      synced,
+      changedAt,
+      sent,
+    } = choice.local;
     const edits = received(choice.local.edits);
-    return { baseRevision, edits, history, serverVersion, synced, keptAt: changedAt, sent };
+    return { baseRevision, edits, declarations, history, serverVersion, synced, keptAt: changedAt, sent };
   }
   if (choice.kind === "server") {
-    const { base_revision, edits, version, kept_at } = choice.draft;
+    const { base_revision, edits, declarations, version, kept_at } = choice.draft;
     return {
       baseRevision: base_revision,
       edits,
+      declarations,
       history: null,
       serverVersion: version,
       synced: true,
@@ -123,16 +152,26 @@ async function edit(key: WorkKey, head: Workspace, chosen: Chosen): Promise<Edit
   const editor = createEditor(workspace, () => takeIdBlock(key.task));
   let pending: ConstructorParameters<typeof WorkSession>[3] = null;
   if (chosen.sent !== null) {
-    const loaded = editor.actions.loadDraft(received(chosen.sent.edits));
+    const { edits, declarations } = chosen.sent;
+    const loaded = editor.actions.loadDraft(received(edits), undefined, declarations);
     if (loaded.ok) pending = { body: chosen.sent, snapshot: editor.actions.takeSnapshot() };
   }
-  const loaded = editor.actions.loadDraft(chosen.edits, chosen.history ?? undefined);
+  const { declarations } = chosen;
+  const loaded = editor.actions.loadDraft(chosen.edits, chosen.history ?? undefined, declarations);
   let unusable: string | null = null;
   if (!loaded.ok) {
     unusable = loaded.reason;
-    await parkDraft(key, { reason: loaded.reason, baseRevision: chosen.baseRevision, edits: chosen.edits });
+    const { baseRevision, edits } = chosen;
+    await parkDraft(key, { reason: loaded.reason, baseRevision, edits, declarations });
     await removeDraft(key);
   }
   const work = new WorkSession(key, editor, chosen, pending);
-  return { kind: "editing", workspace, editor, work, unusable, restored: editor.actions.netEdits().length };
+  return {
+    kind: "editing",
+    workspace,
+    editor,
+    work,
+    unusable,
+    restored: countChanges(editor.actions.netDraft()),
+  };
 }

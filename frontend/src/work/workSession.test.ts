@@ -35,7 +35,8 @@ function serverWith(replies: Record<string, Reply>): Sent[] {
   const sent: Sent[] = [];
   vi.stubGlobal("fetch", async (request: Request) => {
     const path = `${request.method} ${new URL(request.url).pathname.split("/").at(-1) ?? ""}`;
-    sent.push({ path, body: (await request.json()) as Record<string, unknown> });
+    const text = await request.text();
+    sent.push({ path, body: JSON.parse(text || "{}") as Record<string, unknown> });
     const [status, body] = replies[path]?.() ?? [200, NO_FINDINGS];
     if (status === 0) throw new TypeError("Failed to fetch");
     return new Response(JSON.stringify(body), { status });
@@ -46,7 +47,14 @@ function serverWith(replies: Record<string, Reply>): Sent[] {
 function openWork(): WorkSession {
   const map = { lanes: [{ version: 0, attributes: lane }], crossings: [] };
   const editor = createEditor(
-    { task: { can_edit: true }, revision: 0, base: map, changed: { lanes: [], crossings: [] }, removed: [] },
+    {
+      task: { can_edit: true },
+      revision: 0,
+      base: map,
+      changed: { lanes: [], crossings: [] },
+      removed: [],
+      declarations: [],
+    },
     () => Promise.reject(new Error("no ids are needed")),
   );
   const work = new WorkSession(KEY, editor, NOTHING_KEPT);
@@ -63,6 +71,8 @@ const saved = (): [number, unknown] => [
     created_at: "2026-01-01T00:00:00Z",
     changed: { lanes: [{ version: 1, attributes: repainted }], crossings: [] },
     removed: [],
+    canonical: [],
+    declarations: [],
     restored: [],
     findings: NO_FINDINGS,
   },
@@ -184,4 +194,43 @@ it("offers the newer draft that another computer kept instead of writing over it
   work.editor.actions.setMark(7, "left", "SOLID_WHITE");
   await vi.waitFor(() => expect(state(work).newerDraft).toEqual(newer), { timeout: 5_000 });
   expect(await readDraft(KEY)).toMatchObject({ edits: [{ id: 7 }] });
+});
+
+it("keeps and saves what is declared, also without an edit", async () => {
+  const macros = { shape: true, appearance: false, function: false, lane_graph: false, lane_number: 0 };
+  const declarations = [{ elements: [{ kind: "lane_segment" as const, id: 7 }], macros }];
+  const answer = saved()[1] as object;
+  const sent = serverWith({
+    "PUT draft": kept,
+    "POST revisions": () => [201, { ...answer, changed: { lanes: [], crossings: [] }, declarations }],
+  });
+  work = openWork();
+  work.editor.actions.declare([{ kind: "lane_segment", id: 7 }], macros);
+  await vi.waitFor(() => expect(state(work).keeping.where).toBe("server"), { timeout: 5_000 });
+  expect(sent.find(({ path }) => path === "PUT draft")?.body).toMatchObject({ edits: [], declarations });
+  expect((await work.save()).kind).toBe("saved");
+  expect(sent.find(({ path }) => path === "POST revisions")?.body).toMatchObject({ edits: [], declarations });
+  expect(state(work)).toMatchObject({ edits: 0, keeping: { where: "nothing" } });
+});
+
+it("keeps a draft although another device has saved since it was begun", async () => {
+  const answers: [number, unknown][] = [
+    [409, { code: "draft.superseded", message: "You have saved since.", facts: { version: 9, revision: 1 } }],
+    kept(),
+  ];
+  const sent = serverWith({ "PUT draft": () => answers.shift() ?? kept() });
+  work = openWork();
+  work.editor.actions.setMark(7, "left", "SOLID_WHITE");
+  await vi.waitFor(() => expect(state(work).keeping.where).toBe("server"), { timeout: 5_000 });
+  expect(sent.filter(({ path }) => path === "PUT draft").map(({ body }) => body.version)).toEqual([0, 9]);
+});
+
+it("leaves no draft behind where settling a stale base leaves nothing of it", async () => {
+  const sent = serverWith({ "PUT draft": kept });
+  work = openWork();
+  work.editor.actions.setMark(7, "left", "SOLID_WHITE");
+  await vi.waitFor(() => expect(state(work).keeping.where).toBe("server"), { timeout: 5_000 });
+  await work.rebase(1, []);
+  expect(await readDraft(KEY)).toBeNull();
+  expect(sent.at(-1)?.path).toBe("DELETE draft");
 });

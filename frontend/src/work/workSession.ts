@@ -9,7 +9,7 @@ import type { WorkKey } from "./browserStore";
 import { Checker, staleBase } from "./checker";
 import { DraftKeeper, type KeptSoFar } from "./draftKeeper";
 import { newUuid } from "./uuid";
-import { countEdits, type WorkState } from "./workState";
+import { countChanges, type WorkState } from "./workState";
 
 export type SaveOutcome =
   | { kind: "saved"; saved: SavedRevision }
@@ -39,12 +39,12 @@ export class WorkSession {
     /** A save that was sent before the page was closed and that nobody saw answered. */
     private pending: PendingSave | null = null,
   ) {
-    const edits = editor.actions.netEdits();
+    const edits = countChanges(editor.actions.netDraft());
     this.store = createStore<WorkState>(() => ({
-      edits: countEdits(edits),
+      edits,
       revision: editor.getState().savedRevision,
       keeping:
-        edits.length === 0
+        edits === 0
           ? { where: "nothing" }
           : kept.synced && kept.keptAt !== null
             ? { where: "server", at: kept.keptAt }
@@ -63,13 +63,14 @@ export class WorkSession {
 
   start(): void {
     this.keeper.start();
-    this.checker.note(this.editor.actions.netEdits(), 0);
+    this.checker.note(this.editor.actions.netDraft(), 0);
     this.unsubscribe = this.editor.subscribe((state, before) => {
-      if (state.current === before.current || state.saved !== before.saved) return;
-      const edits = this.editor.actions.netEdits();
-      this.store.setState({ edits: countEdits(edits) });
-      this.keeper.note(edits);
-      this.checker.note(edits);
+      const same = state.current === before.current && state.declarations === before.declarations;
+      if (same || state.saved !== before.saved) return;
+      const draft = this.editor.actions.netDraft();
+      this.store.setState({ edits: countChanges(draft) });
+      this.keeper.note(draft);
+      this.checker.note(draft);
     });
   }
 
@@ -100,9 +101,10 @@ export class WorkSession {
       if (outcome.kind !== "saved" || this.store.getState().edits === 0) return outcome;
     }
     const snapshot = this.editor.actions.takeSnapshot();
-    if (snapshot.edits.length === 0) return { kind: "nothing" };
+    if (this.store.getState().edits === 0) return { kind: "nothing" };
+    const { edits, declarations } = snapshot;
     const base_revision = this.editor.getState().savedRevision;
-    const body = { base_revision, edits: snapshot.edits, changeset_uuid: newUuid(), note };
+    const body = { base_revision, edits, declarations, changeset_uuid: newUuid(), note };
     return await this.send({ body, snapshot });
   }
 
@@ -154,13 +156,14 @@ export class WorkSession {
 
   private async adopt(saved: SavedRevision, snapshot: SaveSnapshot): Promise<void> {
     this.editor.actions.adoptSaved(saved, snapshot);
-    const edits = this.editor.actions.netEdits();
-    this.store.setState({ edits: countEdits(edits), revision: saved.revision, stale: null });
-    if (edits.length === 0) {
+    const draft = this.editor.actions.netDraft();
+    const edits = countChanges(draft);
+    this.store.setState({ edits, revision: saved.revision, stale: null });
+    if (edits === 0) {
       this.checker.stop();
       this.store.setState({ findings: saved.findings, checking: false, checkProblem: null });
-    } else this.checker.note(edits);
-    await this.keeper.saved(edits);
+    } else this.checker.note(draft);
+    await this.keeper.saved(draft);
   }
 
   private refused(problem: Problem): SaveOutcome {

@@ -1,7 +1,7 @@
 /** What the workspace knows of its work: how much is unsaved, where it is kept, and what the server says of it. */
 import type { Problem } from "../api/problem";
 import type { ConflictingElement, Draft, Findings } from "../api/types";
-import type { Edit } from "../editor";
+import type { DraftContent, Edit } from "../editor";
 
 /** Where the unsaved work is kept. */
 export type Keeping =
@@ -25,7 +25,7 @@ export interface StaleBase {
 }
 
 export interface WorkState {
-  /** Elements edited since the open revision, as `countEdits` counts. */
+  /** What was changed since the open revision, as `countChanges` counts. */
   edits: number;
   revision: number;
   keeping: Keeping;
@@ -51,6 +51,10 @@ export const countEdits = (edits: readonly Edit[]): number =>
     ({ operation, attributes }) =>
       operation !== "update" || Object.keys(attributes).some((name) => !FOLLOWS.has(name)),
   ).length || edits.length;
+
+/** The same with what is declared otherwise than in the saved revision, which counts as one. */
+export const countChanges = ({ edits, declarations }: DraftContent): number =>
+  countEdits(edits) + (declarations === null ? 0 : 1);
 
 export const blockingErrors = (findings: Findings | null): number =>
   findings?.violations.filter((violation) => violation.blocks).length ?? 0;

@@ -1,5 +1,5 @@
 import { MantineProvider } from "@mantine/core";
-import { render, screen } from "@testing-library/react";
+import { render, screen, within } from "@testing-library/react";
 import userEvent from "@testing-library/user-event";
 import { expect, it, vi } from "vitest";
 import type { Change, Findings } from "../../api/types";
@@ -31,7 +31,8 @@ const findings: Findings = {
 it("tells each change once, under its update with its macros", () => {
   render(<ChangeList findings={findings} />, { wrapper: MantineProvider });
   const update = screen.getByRole("region", { name: "Road repainted (lane 7)" });
-  expect(update).toHaveTextContent("appearance · lane graph · lane number −1");
+  const chips = within(within(update).getByRole("list", { name: "Macros" })).getAllByRole("listitem");
+  expect(chips.map(({ textContent }) => textContent)).toEqual(["appearance", "lane graph", "lane number −1"]);
   expect(update).toHaveTextContent("Lane 7 repainted");
   expect(screen.getByRole("region", { name: "Elsewhere" })).toHaveTextContent("Lane 8 relinked");
 });

@@ -1,8 +1,9 @@
-import { useMemo } from "react";
+import { type ReactNode, useMemo } from "react";
 import type { Change, ElementKey, Findings } from "../../api/types";
 import { CategoryMark } from "../parts/CategoryMark";
 import classes from "./changes.module.css";
-import { groupChanges } from "./grouping";
+import { type ChangeGroup, groupChanges } from "./grouping";
+import { MacroChips } from "./MacroChips";
 
 interface ChangeListProperties {
   findings: Findings;
@@ -10,12 +11,15 @@ interface ChangeListProperties {
   hovered?: ElementKey | null;
   onSelect?: (key: ElementKey) => void;
   onHover?: (key: ElementKey | null) => void;
+  /** What stands beside a group's macros. */
+  besideMacros?: (group: ChangeGroup) => ReactNode;
 }
 
 const same = (a: ElementKey | null | undefined, b: ElementKey) => a?.kind === b.kind && a.id === b.id;
 
 /** What changed, told by structural update; in step with the map by selection and hover. */
-export function ChangeList({ findings, selected, hovered, onSelect, onHover }: ChangeListProperties) {
+export function ChangeList(properties: ChangeListProperties) {
+  const { findings, selected, hovered, onSelect, onHover, besideMacros } = properties;
   const groups = useMemo(() => groupChanges(findings), [findings]);
   return (
     <div className={classes.list}>
@@ -25,7 +29,12 @@ export function ChangeList({ findings, selected, hovered, onSelect, onHover }: C
             <h3 className={classes.groupTitle}>{group.title}</h3>
             <span className={classes.groupCount}>{group.changes.length}</span>
           </header>
-          {group.macros !== "" && <p className={classes.macros}>{group.macros}</p>}
+          {group.macros !== null && (
+            <div className={classes.macros}>
+              <MacroChips macros={group.macros} />
+              {besideMacros?.(group)}
+            </div>
+          )}
           {group.changes.map((change) => (
             <ChangeRow
               key={`${change.kind}:${change.id}`}

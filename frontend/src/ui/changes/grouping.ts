@@ -1,17 +1,20 @@
 /** Findings as lists show them: changes by the structural update that they belong to. */
-import type { Change, ElementKey, Findings, StructuralUpdate } from "../../api/types";
+import type { Change, ElementKey, Findings, Macros, StructuralUpdate } from "../../api/types";
 
 export interface ChangeGroup {
   key: string;
   title: string;
-  /** The update's macro-modifications, in words. */
-  macros: string;
+  /** All elements of the update. */
+  elements: readonly ElementKey[];
+  /** The macro-modifications that follow; null: in no update. */
+  macros: Macros | null;
   changes: readonly Change[];
 }
 
 const keyOf = (element: ElementKey) => `${element.kind}:${element.id}`;
 
-export function macroWords(macros: StructuralUpdate["macros"]): string {
+/** "shape", "lane graph", "lane number −1". */
+export function macroWords(macros: Macros): string[] {
   const words: string[] = [];
   if (macros.shape) words.push("shape");
   if (macros.appearance) words.push("appearance");
@@ -20,7 +23,7 @@ export function macroWords(macros: StructuralUpdate["macros"]): string {
   if (macros.lane_number !== 0) {
     words.push(`lane number ${macros.lane_number > 0 ? "+" : "−"}${Math.abs(macros.lane_number)}`);
   }
-  return words.join(" · ");
+  return words;
 }
 
 /** The update's title without its macros, which have a line of their own. */
@@ -41,9 +44,10 @@ export function groupChanges(findings: Findings): ChangeGroup[] {
     }
     const first = changes[0];
     if (first === undefined) continue;
-    groups.push({ key: keyOf(first), title: headline(update), macros: macroWords(update.macros), changes });
+    const elements = update.elements.map(([kind, id]) => ({ kind, id }));
+    groups.push({ key: keyOf(first), title: headline(update), elements, macros: update.macros, changes });
   }
   if (rest.size > 0)
-    groups.push({ key: "rest", title: "Elsewhere", macros: "", changes: [...rest.values()] });
+    groups.push({ key: "rest", title: "Elsewhere", elements: [], macros: null, changes: [...rest.values()] });
   return groups;
 }

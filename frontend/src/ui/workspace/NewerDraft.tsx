@@ -18,7 +18,8 @@ export function NewerDraft() {
 
   const keepMine = () => {
     const reason = "kept by another window or computer";
-    parkDraft(key, { reason, baseRevision: newer.base_revision, edits: newer.edits })
+    const { base_revision: baseRevision, edits: theirs, declarations } = newer;
+    parkDraft(key, { reason, baseRevision, edits: theirs, declarations })
       .then(() => work.keepMine(newer))
       .catch(tellProblem);
   };

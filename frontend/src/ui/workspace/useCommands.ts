@@ -1,12 +1,15 @@
 import { useCallback, useMemo } from "react";
 import type { ElementKey, Violation } from "../../api/types";
 import type { PageCommand } from "../../map";
+import { renamedWords } from "../../work/canonicalWords";
 import type { SaveOutcome } from "../../work/workSession";
 import { blockingErrors } from "../../work/workState";
 import { counted } from "../parts/words";
 import { tell, tellProblem } from "../shell/tell";
 import { useSession } from "../useSession";
 import { type LeftTab, useWorkspace, type WorkspaceValue, withRevision } from "./context";
+import { makeCanonical } from "./makeCanonical";
+import { tellDraftIsEmpty } from "./tellDraftIsEmpty";
 import { useFindings } from "./useFindings";
 
 /** What keys, buttons and the map have the workspace do. */
@@ -18,6 +21,7 @@ export interface Commands {
   /** Selects an element and turns the map to it. */
   readonly visit: (key: ElementKey) => void;
   readonly applyFix: (violation: Violation, fix: number) => void;
+  readonly makeCanonical: () => void;
   readonly run: (command: PageCommand) => void;
 }
 
@@ -59,7 +63,11 @@ export function useCommands(): Commands {
     };
     const applyFix = (violation: Violation, fix: number) => {
       const offered = violation.fixes[fix];
-      if (offered !== undefined) void editor.actions.applyFix(offered.edits, offered.title);
+      if (offered === undefined) return;
+      void editor.actions.applyFix(offered.edits, offered.title, offered.declarations ?? undefined);
+    };
+    const canonicalise = () => {
+      if (work !== null) makeCanonical(value).catch(tellProblem);
     };
     const applyFirstFix = () => {
       const first = violations.find(({ fixes }) => fixes.length > 0);
@@ -74,9 +82,10 @@ export function useCommands(): Commands {
       else if (command.name === "find") show("find");
       else if (command.name === "next_issue") nextIssue();
       else if (command.name === "apply_fix") applyFirstFix();
+      else if (command.name === "canonical") canonicalise();
       else stepFrame(command.name === "next_frame" ? 1 : -1);
     };
-    return { save: saveNow, saveOnOpen, show, visit, applyFix, run };
+    return { save: saveNow, saveOnOpen, show, visit, applyFix, makeCanonical: canonicalise, run };
   }, [value, findings, saveNow, saveOnOpen]);
 }
 
@@ -91,7 +100,7 @@ function saveAndTell(value: WorkspaceValue, me: { id: number; name: string }, on
 
 function tellOutcome(
   outcome: SaveOutcome,
-  { screen }: WorkspaceValue,
+  { screen, editor }: WorkspaceValue,
   me: { id: number; name: string },
 ): void {
   switch (outcome.kind) {
@@ -99,9 +108,11 @@ function tellOutcome(
       return;
     case "saved": {
       screen.setState((state) => withRevision(state, outcome.saved, me));
-      const restored = outcome.saved.restored.length;
-      const below = restored === 0 ? "" : ` ${counted(restored, "edit")} below 5 cm went back to the base.`;
-      tell(`Saved as revision ${outcome.saved.revision}.${below}`);
+      const { revision, restored, canonical } = outcome.saved;
+      const below =
+        restored.length === 0 ? "" : ` ${counted(restored.length, "edit")} below 5 cm went back to the base.`;
+      const simpler = canonical.length === 0 ? "" : ` Told as the simpler story: ${renamedWords(canonical)}.`;
+      tell(`Saved as revision ${revision}.${below}${simpler}`);
       return;
     }
     case "stale":
@@ -111,6 +122,7 @@ function tellOutcome(
       screen.setState({ tab: "issues", leftShown: true });
       return;
     case "failed":
-      tellProblem(outcome.problem);
+      if (outcome.problem.code === "save.empty") tellDraftIsEmpty(outcome.problem, editor);
+      else tellProblem(outcome.problem);
   }
 }

@@ -44,7 +44,12 @@ export function useWorkspaceKeys(commands: Commands): void {
       } else if (!held) return;
       else if (command === "save") commands.save();
       else if (isTyping(event.target) || inDialog()) return;
-      else if (command === "help" || command === "find" || command === "next_issue")
+      else if (
+        command === "help" ||
+        command === "find" ||
+        command === "next_issue" ||
+        command === "canonical"
+      )
         commands.run({ name: command });
       else if (command === "next_frame" || command === "previous_frame") commands.run({ name: command });
       else if (command === "fit_log") mapRef.current?.fitLog();

@@ -1,9 +1,14 @@
+import { Button } from "@mantine/core";
+import { IconWand } from "@tabler/icons-react";
+import { declarationOf } from "../../../editor";
 import { ChangeList } from "../../changes/ChangeList";
+import type { ChangeGroup } from "../../changes/grouping";
 import { Loading } from "../../parts/Loading";
 import { ProblemNotice } from "../../parts/ProblemNotice";
 import { useEditor, useWorkspace } from "../context";
 import type { Commands } from "../useCommands";
 import { useFindings } from "../useFindings";
+import { Declare } from "./Declare";
 import classes from "./left.module.css";
 
 /** The session so far, in words: everything that differs from the imported map. */
@@ -12,6 +17,7 @@ export function ChangesTab({ commands }: { commands: Commands }) {
   const { findings, checking, problem } = useFindings();
   const selected = useEditor((state) => state.selection);
   const hovered = useEditor((state) => state.hover);
+  const declarations = useEditor((state) => state.declarations);
   if (problem !== null) return <ProblemNotice error={problem} />;
   if (findings === null) return <Loading what="changes" />;
   if (findings.changes.length === 0) {
@@ -23,6 +29,15 @@ export function ChangesTab({ commands }: { commands: Commands }) {
       </p>
     );
   }
+  const declare = ({ macros, elements }: ChangeGroup) =>
+    macros !== null && (
+      <Declare
+        derived={macros}
+        declared={declarationOf(declarations, elements)}
+        editable={work !== null}
+        onDeclare={(stated) => editor.actions.declare(elements, stated)}
+      />
+    );
   return (
     <div aria-busy={checking}>
       <ChangeList
@@ -31,7 +46,21 @@ export function ChangesTab({ commands }: { commands: Commands }) {
         hovered={hovered}
         onSelect={commands.visit}
         onHover={(key) => editor.actions.hover(key)}
+        besideMacros={declare}
       />
+      {work !== null && (
+        <Button
+          variant="default"
+          fullWidth
+          mt={20}
+          leftSection={<IconWand size={15} aria-hidden />}
+          rightSection={<kbd>M</kbd>}
+          title="The same map, told with the fewest changes; lanes and crossings may get other ids"
+          onClick={commands.makeCanonical}
+        >
+          Make canonical
+        </Button>
+      )}
     </div>
   );
 }

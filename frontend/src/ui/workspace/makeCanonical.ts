@@ -1,0 +1,34 @@
+import { canonicalForm } from "../../api/workspace";
+import { elementOf, keyText } from "../../editor";
+import { canonicalWords } from "../../work/canonicalWords";
+import { tell } from "../shell/tell";
+import type { WorkspaceValue } from "./context";
+
+/** Brings the draft into its canonical form, as one undo step, and says in words what that did. */
+export async function makeCanonical({ editor, workspace }: WorkspaceValue): Promise<void> {
+  const { base, current, savedRevision, declarations } = editor.getState();
+  const { edits } = editor.actions.netDraft();
+  const body = { base_revision: savedRevision, edits, declarations: [...declarations] };
+  const form = await canonicalForm(workspace.task.id, body);
+  if (form.edits.length === 0) {
+    tell("Already canonical: no other ids tell this with fewer changes.");
+    return;
+  }
+  if (editor.getState().current !== current) {
+    tell("The map was edited meanwhile. Make it canonical again.");
+    return;
+  }
+  const renamed = new Map(form.renamed.map(({ kind, from, to }) => [keyText({ kind, id: from }), to]));
+  const called = <Key extends Parameters<typeof keyText>[0]>(key: Key): Key => {
+    const to = renamed.get(keyText(key));
+    return to !== undefined && elementOf(base, { kind: key.kind, id: to }) !== null
+      ? { ...key, id: to }
+      : key;
+  };
+  const stated = declarations.map((one) => ({ ...one, elements: one.elements.map(called) }));
+  const { selection } = editor.getState();
+  const done = await editor.actions.applyFix(form.edits, "Made canonical", stated);
+  if (!done.ok) return;
+  if (selection !== null) editor.actions.select(called(selection), selection);
+  tell(canonicalWords(form, (key) => elementOf(base, key) !== null));
+}

@@ -1,0 +1,29 @@
+/** What bringing an update into its canonical form did, in words. */
+import type { CanonicalForm, RenamedElement } from "../api/types";
+import { counted, KIND_WORDS } from "../ui/parts/words";
+
+const MOST_NAMED = 3;
+
+/** "lane 12 is now lane 7, crossing 4 is now crossing 9 and 2 more": which elements have other ids. */
+export function renamedWords(renamed: readonly RenamedElement[]): string {
+  const named = renamed.slice(0, MOST_NAMED).map(({ kind, from, to }) => {
+    const word = KIND_WORDS[kind].toLowerCase();
+    return `${word} ${from} is now ${word} ${to}`;
+  });
+  const rest = renamed.length - named.length;
+  return `${named.join(", ")}${rest > 0 ? ` and ${rest} more` : ""}`;
+}
+
+/** After "Make canonical". Elements without an imported id get new ids of their own, which are not worth a word. */
+export function canonicalWords(
+  { renamed, joined, cut }: Pick<CanonicalForm, "renamed" | "joined" | "cut">,
+  isImported: (element: { kind: RenamedElement["kind"]; id: number }) => boolean,
+): string {
+  const again = renamed.filter(({ kind, to }) => isImported({ kind, id: to }));
+  const facts = [
+    again.length > 0 && `${counted(renamed.length, "id")} exchanged: ${renamedWords(again)}`,
+    joined.length > 0 && `${counted(joined.length, "lane")} joined with the next in series`,
+    cut.length > 0 && `${counted(cut.length, "lane")} cut`,
+  ].filter((fact) => fact !== false);
+  return `Made canonical${facts.length > 0 ? `. ${facts.join("; ")}` : ": the same map, told with fewer changes"}.`;
+}
