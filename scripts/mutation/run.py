@@ -31,6 +31,7 @@ TESTED_BY = (
     "test_diff.py",
     "test_fixtures.py",
     "test_identity.py",
+    "test_precedence.py",
     "test_replay.py",
     "test_restore.py",
     "test_roadgraph.py",

@@ -233,3 +233,21 @@ def test_a_new_id_is_above_all_that_a_map_has_or_names(state):
 
 def test_the_first_id_of_an_empty_map():
     assert fresh_id([world()]) == 1
+
+
+def test_a_lane_exchanged_for_three_is_linked_in_their_order():
+    pieces = [straight(7, 20, 30), straight(8, 30, 50), straight(9, 50, 60)]
+    base = street().replaced([dataclasses.replace(street().lanes[200], predecessors=(777, 1))])
+    edited = with_lanes_exchanged(base, [1], pieces)
+    assert {key: (edited.lanes[key].predecessors, edited.lanes[key].successors) for key in (7, 8, 9, 200)} == {
+        7: ((100,), (8,)),
+        8: ((7,), (9,)),
+        9: ((8,), (200,)),
+        200: ((777, 9), ()),
+    }
+
+
+def test_a_neighbour_on_one_side_does_not_hinder_the_other():
+    #  777 ┆ 1 ┆ 2 ┆
+    one, two = straight(1, 0, 60, 3.5, 7, left_neighbor_id=777), straight(2, 0, 60, 0, 3.5)
+    assert found(one, two, loose=[1]) == {1: (777, 2), 2: (1, None)}

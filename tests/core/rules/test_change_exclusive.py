@@ -25,3 +25,12 @@ def test_broken_an_insertion_that_is_a_marking_too():
 
 def test_edge_insertion_and_deletion_at_once():
     assert annotated(Category.INSERTION, Category.DELETION) == ["change.exclusive"]
+
+
+def test_broken_each_annotated_change_is_told():
+    changes = [
+        AtomicChange(ElementKind.LANE_SEGMENT, key, (Category.DELETION, Category.TYPE), (), None, None)
+        for key in (200, 1, 100)
+    ]
+    found = check(street(), street(), Claims(annotated=tuple(changes)))
+    assert [one.elements for one in found] == [(1,), (100,), (200,)]

@@ -62,3 +62,33 @@ def test_edge_nothing_is_wrong_with_an_infinite_height():
     high = tuple((x, y, math.nan) for x, y, _ in straight(1, 20, 60).left_boundary)
     base = street()
     assert introduced(base, base.replaced([dataclasses.replace(base.lanes[1], left_boundary=high)])) == []
+
+
+def test_clean_a_lane_that_ends_in_a_point():
+    #  ═════▷ 1
+    assert introduced(world(), world(lane(1, "0,3.5 30,3.5 60,0", "0,0 30,0 60,0"))) == []
+
+
+def test_broken_boundaries_that_run_along_each_other():
+    (violation,) = check(world(), world(lane(1, "0,3.5 20,0 40,0 60,3.5", "0,0 60,0")))
+    assert "boundaries cross each other" in violation.message
+
+
+def test_edge_what_was_deleted_is_told_no_more():
+    crossed = dataclasses.replace(crossing(5, 30), edge2=line("28,0 36,4"))
+    broken = lane(1, "0,3.5 40,3.5 40,6 20,6 20,2 60,2", "0,0 60,0")
+    assert [one.elements for one in check(world(broken, crossed), world(broken, crossed))] == [(1,), (5,)]
+    assert check(world(broken, crossed), world()) == ()
+
+
+def test_edge_beside_an_old_defect_a_new_one_is_told_alone():
+    base = world(lane(1, "0,3.5 20,3.5 20,3.5 60,3.5", "0,0 60,0"))
+    edited = world(lane(1, "0,3.5 20,3.5 20,3.5 60,3.5", "0,0 0,0 60,0"))
+    (violation,) = check(base, edited)
+    assert violation.message == "Lane 1: the right boundary repeats its point 1. Redraw it there."
+    assert not violation.inherited
+
+
+@pytest.mark.parametrize(("top", "broken"), [(0.29, True), (0.31, False), (14.9, False), (15.1, True)])
+def test_edge_the_narrowest_and_the_widest_lane(top, broken):
+    assert bool(check(world(), world(straight(1, 0, 60, 0, top)))) is broken

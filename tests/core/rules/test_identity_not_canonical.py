@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from tests.core.findings import introduced
-from tests.core.worlds import scenario, straight, world
+from tests.core.worlds import crossing, scenario, straight, world
 
 from lanewright.core.canonical import canonicalise
 from lanewright.core.diff import diff
 from lanewright.core.edits import apply_edits
+from lanewright.core.elements import ElementKind
 from lanewright.core.rules import check
 from lanewright.core.violations import Severity
 
@@ -42,3 +43,39 @@ def test_edge_where_an_error_is_told_the_note_is_not():
     #  as above, and 9 was drawn twice
     twice = world(straight(2, 0, 60, 0, 3.5), straight(9, 0, 60, 5, 8.5), straight(10, 0, 60, 5, 8.5))
     assert [code for code, _ in introduced(BASE, twice)] == ["element.duplicate"]
+
+
+FAR_AWAY = [straight(11, 1000, 1060, 0, 3.5), straight(12, 1000, 1060, 5, 8.5)]
+
+
+def test_broken_the_note_names_what_came_went_and_moved():
+    (violation,) = check(BASE, world(straight(2, 0, 60, 0, 3.5), straight(9, 0, 60, 5, 8.5)))
+    assert violation.elements == (1, 2, 9)
+
+
+def test_broken_each_update_is_judged_by_itself():
+    #  near: as above. Far away 12 gives way to 19 and 11 moves up by 1 m: that is the shortest story
+    base = world(*BASE, *FAR_AWAY)
+    far = [straight(11, 1000, 1060, 1, 4.5), straight(19, 1000, 1060, 12, 15.5)]
+    edited = world(straight(2, 0, 60, 0, 3.5), straight(9, 0, 60, 5, 8.5), *far)
+    (violation,) = check(base, edited)
+    assert (violation.code, violation.elements) == (CODE, (1, 2, 9))
+    assert apply_edits(edited, violation.fixes[0].edits) == world(*BASE, *far)
+
+
+def test_broken_crossings_move_up_too():
+    #  5 went, 6 took its place, 7 came near the place of 6
+    base = world(crossing(5, 30), crossing(6, 31.5))
+    edited = world(crossing(6, 30), crossing(7, 33))
+    (violation,) = check(base, edited)
+    assert (violation.code, violation.kind, violation.elements) == (CODE, ElementKind.PEDESTRIAN_CROSSING, (5, 6, 7))
+    assert violation.message.startswith("The ids of crossings 5, 6 and 7 are legal")
+    assert apply_edits(edited, violation.fixes[0].edits) == world(crossing(5, 30), crossing(6, 33))
+
+
+def test_edge_a_crossing_beside_the_lanes_is_named_in_words_only():
+    base = world(*BASE, crossing(5, 30))
+    edited = world(straight(2, 0, 60, 0, 3.5), straight(9, 0, 60, 5, 8.5), crossing(5, 31))
+    (violation,) = check(base, edited)
+    assert (violation.kind, violation.elements) == (ElementKind.LANE_SEGMENT, (1, 2, 9))
+    assert violation.message.startswith("The ids of lanes 1, 2 and 9 and crossing 5 are legal")

@@ -131,3 +131,33 @@ def test_edge_lines_that_cannot_be_read_have_no_gap():
     base = street()
     edited = base.replaced([dataclasses.replace(base.lanes[1], left_boundary=())])
     assert introduced(base, edited) == [("geometry.invalid", (1,))]
+
+
+def test_clean_a_gap_below_a_centimetre_is_not_even_inherited():
+    base = street().replaced([dataclasses.replace(street().lanes[1], left_boundary=line("20.006,3.506 60,3.5"))])
+    assert check(base, base) == ()
+
+
+def test_broken_the_last_of_several_points_is_moved():
+    bent = dataclasses.replace(street().lanes[100], left_boundary=line("0,3.5 5,3.6 10,3.4 20,3.5"))
+    base = street().replaced([bent])
+    dragged = dataclasses.replace(bent, left_boundary=line("0,3.5 5,3.6 10,3.4 19,3.5"))
+    violation = only(base, base.replaced([dragged]), CODE)
+    assert mended(base, base.replaced([dragged]), CODE) == base
+    assert [edit.id for edit in violation.fixes[0].edits] == [100]
+
+
+@pytest.mark.parametrize("elsewhere", [{}, {"successors": (5,)}])
+def test_broken_where_no_end_can_be_moved_the_link_goes(elsewhere):
+    #  9 ──   100 ── 1 ── 200, and 200 leads to 9, far behind it: stretched there, either lane would lie on its back
+    base = street()
+    edited = base.replaced(
+        [
+            straight(9, -90, -70, predecessors=(200,), **elsewhere),
+            dataclasses.replace(base.lanes[200], successors=(9,)),
+        ]
+    )
+    gap = next(one for one in check(base, edited) if one.code == CODE)
+    assert [fix.title for fix in gap.fixes] == ["Take out the link from lane 200 to lane 9"]
+    after = apply_edits(edited, gap.fixes[0].edits)
+    assert (after.lanes[200].successors, after.lanes[9].predecessors) == ((), ())

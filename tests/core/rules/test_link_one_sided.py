@@ -77,3 +77,15 @@ def test_edge_a_lane_that_leads_into_itself_counts_too():
     edited = base.replaced([ring])
     assert [code for code, _ in introduced(base, edited)] == [CODE]
     assert with_links_completed(base, edited).lanes[9].predecessors == (9,)
+
+
+def test_broken_a_lane_that_two_lead_to_names_both():
+    base = street()
+    edited = base.replaced(
+        [
+            straight(8, 20, 60, 3.5, 7, successors=(10,)),
+            straight(9, 20, 60, -3.5, 0, successors=(10,)),
+            straight(10, 60, 80, 3.5, 7),
+        ]
+    )
+    assert with_links_completed(base, edited).lanes[10].predecessors == (8, 9)

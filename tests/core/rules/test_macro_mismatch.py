@@ -118,3 +118,13 @@ def test_edge_an_update_of_lanes_and_crossings_is_named_by_its_lanes():
     claims = Claims(declared=(DeclaredMacros((a_crossing(5),), NOTHING),))
     found = [one for one in check(base, edited, claims) if one.code == "macro.mismatch"]
     assert [(one.kind, one.elements) for one in found] == [(ElementKind.LANE_SEGMENT, (1,))]
+
+
+def test_broken_a_declared_lane_graph_that_is_none():
+    macros = dataclasses.replace(NOTHING, shape=True, lane_graph=True, appearance=True)
+    assert told(macros, a_lane(1)) == [(ElementKind.LANE_SEGMENT, (1,), "appearance and lane graph are extra.")]
+
+
+def test_broken_macros_where_nothing_changed_at_all():
+    claims = Claims(declared=(DeclaredMacros((a_lane(1),), dataclasses.replace(NOTHING, shape=True)),))
+    assert [one.elements for one in check(APART, APART, claims)] == [(1,)]

@@ -5,10 +5,12 @@ from __future__ import annotations
 import dataclasses
 
 from tests.core.findings import introduced, mended, only
-from tests.core.worlds import crossing, lane, scenario, straight, street, world
+from tests.core.worlds import crossing, lane, line, scenario, straight, street, world
 
 from lanewright.core.diff import diff
+from lanewright.core.edits import apply_edits
 from lanewright.core.identity import renamed, with_lanes_exchanged
+from lanewright.core.rules import check
 from lanewright.core.series import Run
 
 CODE = "replacement.unjustified"
@@ -68,3 +70,27 @@ def test_edge_a_ring_replaced_by_a_ring():
     ring = lane(1, "2,0 0,2 -2,0 0,-2 2,0", "6,0 0,6 -6,0 0,-6 6,0", successors=(1,), predecessors=(1,))
     base, edited = world(ring), renamed(world(ring), {1: 9})
     assert only(base, edited, CODE).elements == (1, 9)
+
+
+def test_broken_a_part_of_what_was_drawn_stands_in_the_old_place():
+    #  1 ──   =>   9 ── 10: 9 where 1 was, 10 beyond it
+    base = world(straight(1, 0, 60))
+    edited = world(straight(9, 0, 60, successors=(10,)), straight(10, 60, 90, predecessors=(9,)))
+    assert only(base, edited, CODE).elements == (1, 9)
+    assert set(mended(base, edited, CODE).lanes) == {1, 10}
+
+
+def test_broken_each_fix_mends_its_own_update():
+    base = world(straight(1, 0, 60), straight(2, 1000, 1060))
+    edited = renamed(base, {1: 8, 2: 9})
+    found = [one for one in check(base, edited) if not one.inherited]
+    assert [one.elements for one in found] == [(1, 8), (2, 9)]
+    assert [set(apply_edits(edited, one.fixes[0].edits).lanes) for one in found] == [{1, 9}, {2, 8}]
+
+
+def test_edge_a_line_that_only_a_person_can_redraw_stays_bad_under_the_old_id():
+    base = street()
+    crossed = dataclasses.replace(base.lanes[1], left_boundary=line("20,3.5 40,3.5 40,6 30,6 30,2 60,3.5"))
+    edited = renamed(base.replaced([crossed]), {1: 9})
+    violation = only(base, edited, CODE)
+    assert introduced(base, apply_edits(edited, violation.fixes[0].edits)) == [("geometry.invalid", (1,))]
