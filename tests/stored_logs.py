@@ -5,11 +5,14 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 from sqlalchemy.orm import Session
 
-from lanewright.core.elements import MapState
+from lanewright.core.elements import MapState, Mark
+from lanewright.core.identity import with_lanes_exchanged
+from lanewright.core.series import Run
 from lanewright.db.mapping import to_rows
 from lanewright.db.models import Line, Log, Task
 from lanewright.db.repositories import elements, revisions
@@ -147,3 +150,14 @@ def change_task(session: Session, task_id: int, edit: Callable[[MapState], MapSt
     elements.close_versions(session, task.line_id, number, ended)
     elements.insert_versions(session, task.line_id, number, to_rows(changed, city_frame(task.log.city).to_mercator))
     return number
+
+
+def cut_in_two(state: MapState, lane: int, first_part: int) -> MapState:
+    """The map with a lane cut in the middle into two recorded parts (ids from ``first_part``), the second repainted."""
+    whole = Run.of([state.lanes[lane]])
+    one, other = whole.pieces([(whole.ends[0] / 2, whole.ends[1] / 2)])
+    parts = [
+        replace(one, id=first_part, part_of=lane),
+        replace(other, id=first_part + 1, part_of=lane, right_mark=Mark.SOLID_BLUE),
+    ]
+    return with_lanes_exchanged(state, [lane], parts)

@@ -11,10 +11,11 @@ from sqlalchemy.orm import Session
 from tests.api.conftest import DeskOn
 from tests.api.desk import Desk, repaint, update
 from tests.api.drawings import as_sent, composed
-from tests.core.worlds import scenario
+from tests.core.worlds import lane, scenario, world
 from tests.services.export_inside import archived
 
 from lanewright.api.schemas.revisions import SavedRevision
+from lanewright.core.elements import Mark
 from lanewright.db.models import ElementVersion, Log, Task
 from lanewright.db.repositories import elements
 from lanewright.formats.av2_map import parse_map
@@ -74,6 +75,31 @@ def test_a_lane_that_is_whole_again_is_the_base(desk_on: DeskOn) -> None:
     assert answer["findings"] == {"changes": [], "updates": [], "violations": []}
     assert {lane["attributes"]["id"] for lane in answer["changed"]["lanes"]} == {1, 100, 200}
     assert answer["removed"] == [edit_key(edit) for edit in edits if edit["operation"] == "insert"]
+
+
+def test_what_a_cut_leaves_unchanged_is_the_bases_to_the_last_digit(desk_on: DeskOn, session: Session) -> None:
+    base = world(lane(1, "0,3.5 57,16.7", "0,0 57,13.2"))
+    #  cut where the cursor was, so beside the line by some millimetres
+    parts_drawn = (
+        lane(8, "0,3.5 28.41,10.08", "0,0 28.41,6.58", part_of=1, successors=(9,)),
+        lane(9, "28.41,10.08 57,16.7", "28.41,6.58 57,13.2", part_of=1, predecessors=(8,), right_mark=Mark.SOLID_BLUE),
+    )
+    desk = desk_on(base)
+    answer = desk.saved(*as_sent(desk, base, world(*parts_drawn)))
+    first, second = (part["attributes"]["id"] for part in answer["changed"]["lanes"])
+    assert [(change["id"], change["categories"]) for change in answer["findings"]["changes"]] == [(second, ["marking"])]
+    desk.saved(repaint(second, "SOLID_WHITE"), base=1)
+    assert [part["version"] for part in desk.open()["changed"]["lanes"]] == [1, 2]
+    task = session.get_one(Task, desk.task_id)
+    task.state, task.accepted_revision = "accepted", 2
+    log = session.get_one(Log, task.log_id)
+    files = archived(session, Split.TRAIN)
+    prior, current = (
+        parse_map(files[f"{side}/{log.log_id}/map/{log.map_file_name}"], side).state for side in ("prior", "current")
+    )
+    assert prior.lanes[first] == current.lanes[first]
+    assert prior.lanes[second].left_boundary == current.lanes[second].left_boundary
+    assert prior.lanes[second].right_boundary == current.lanes[second].right_boundary
 
 
 def test_a_part_can_be_edited_and_its_record_taken_off(desk_on: DeskOn) -> None:

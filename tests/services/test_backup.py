@@ -9,9 +9,9 @@ from pathlib import Path
 
 import psycopg
 import pytest
-from sqlalchemy import delete, select, text
+from sqlalchemy import Text, cast, delete, select, text, update
 from sqlalchemy.engine import make_url
-from tests.stored_logs import add_log, change_task
+from tests.stored_logs import add_log, change_task, cut_in_two
 
 from lanewright.core.elements import MapState
 from lanewright.core.errors import Conflict, InvalidInput
@@ -24,7 +24,8 @@ from lanewright.services.backup import backup, restore
 VERSION = ElementVersion
 CONTENTS = {
     "elements": select(VERSION.line_id, VERSION.element_id, VERSION.rev_from, VERSION.sha256),
-    "revisions": select(Revision.line_id, Revision.number, Revision.content_sha256),
+    "attributes": select(cast(VERSION.attributes, Text)),
+    "revisions": select(Revision.line_id, Revision.number, Revision.content_sha256, cast(Revision.declarations, Text)),
     "people": select(Account.id, Account.name, Account.password_hash),
     "geometry": text("SELECT ST_AsEWKB(geom) FROM element_version ORDER BY 1"),
 }
@@ -37,12 +38,14 @@ def contents(url: str) -> dict[str, list[tuple[object, ...]]]:
 
 @pytest.fixture
 def used_database(fresh_database: str) -> str:
-    """A database with a log, a task with one changeset and an admin."""
+    """A database with a log, an admin, and a task: a crossing deleted, then a lane cut, with declared macros."""
     with transaction(fresh_database) as session:
         admin = accounts.add(session, name="admin", role=Role.ADMIN, password="a long password")
         add_log(session)
         task = tasks.create(session, sessions.actor_of(admin), log_id="log-one", direction=None, assignee_id=admin.id)
         change_task(session, task.id, lambda state: MapState.of(state.lanes.values()))
+        change_task(session, task.id, lambda state: cut_in_two(state, 11, 1000))
+        session.execute(update(Revision).where(Revision.number == 2).values(declarations=["kept as it is"]))
     return fresh_database
 
 
@@ -66,12 +69,11 @@ def test_a_backup_comes_back_in_an_empty_database(used_database: str, empty_data
     assert list(tmp_path.iterdir()) == [file]
     restore(empty_database, file, force=False)
     before, after = contents(used_database), contents(empty_database)
-    assert len(before["elements"]) == 6
+    assert len(before["elements"]) == 9
     assert after == before
     with transaction(empty_database) as session:  # identities go on where they were
-        assert (
-            accounts.add(session, name="next", role=Role.ADMIN, password="a long password").id > before["people"][0][0]
-        )
+        added = accounts.add(session, name="next", role=Role.ADMIN, password="a long password")
+        assert added.id > before["people"][0][0]
 
 
 def test_a_database_in_use_is_replaced_only_by_force(used_database: str, tmp_path: Path) -> None:

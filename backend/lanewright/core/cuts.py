@@ -8,14 +8,15 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from lanewright.core.elements import ElementKey, LaneSegment, MapState
+from lanewright.core.elements import ElementKey, LaneSegment, Line, MapState
 from lanewright.core.geometry import readable_element
 from lanewright.core.identity import joinable, with_lanes_exchanged
 from lanewright.core.roadgraph import RoadGraph
-from lanewright.core.series import Run
+from lanewright.core.series import SAME_POINT_M, Run
 from lanewright.core.survey import Survey, parts_recorded
 
 
@@ -71,7 +72,22 @@ def _cut(state: MapState, lane: int, parts: Sequence[LaneSegment]) -> MapState:
         dataclasses.replace(piece, id=part.id, part_of=lane)
         for piece, part in zip(whole.pieces(stations), parts, strict=True)
     ]
-    return with_lanes_exchanged(state, [lane], pieces)
+    return with_lanes_exchanged(state, [lane], _with_joints_of(parts, pieces))
+
+
+def _with_joints_of(parts: Sequence[LaneSegment], pieces: list[LaneSegment]) -> list[LaneSegment]:
+    """The pieces with the parts' own joints where these are the same points but for rounding: what was cut once is the
+    same to the last digit however often it is cut."""
+    for name in ("left_boundary", "right_boundary"):
+        lines: list[Line] = [getattr(piece, name) for piece in pieces]
+        for index, part in enumerate(parts[:-1]):
+            joint = getattr(part, name)[-1]
+            if math.dist(joint[:2], lines[index][-1][:2]) <= SAME_POINT_M:
+                lines[index] = (*lines[index][:-1], joint)
+                lines[index + 1] = (joint, *lines[index + 1][1:])
+        fields: list[dict[str, Any]] = [{name: line} for line in lines]
+        pieces = [dataclasses.replace(piece, **field) for piece, field in zip(pieces, fields, strict=True)]
+    return pieces
 
 
 def marked_as_parts(state: MapState, parts: Iterable[int], whole: int) -> MapState:

@@ -16,7 +16,7 @@ from lanewright.core.identity import joined
 
 Station = tuple[float, float]
 """Arc lengths on the left and the right boundary, metres."""
-_SAME_POINT_M = 1e-6
+SAME_POINT_M = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +48,7 @@ class Run:
     def properties_at(self, station: Station) -> LaneSegment:
         """The lane that covers the road just past a station."""
         for lane, joint in zip(self.lanes, self.joints, strict=False):
-            if station[0] + station[1] < joint[0] + joint[1] - 2 * _SAME_POINT_M:
+            if station[0] + station[1] < joint[0] + joint[1] - 2 * SAME_POINT_M:
                 return lane
         return self.lanes[-1]
 
@@ -93,7 +93,7 @@ def along(line: Line, point: Point) -> tuple[float, float]:
 def point_at(line: Line, station: float) -> Point:
     """The point at an arc length: a vertex itself where one is there, else interpolated, z too."""
     for vertex, here in zip(line, _stations(plan(line)), strict=True):
-        if abs(here - station) <= _SAME_POINT_M:
+        if abs(here - station) <= SAME_POINT_M:
             return vertex
     stations = _stations(plan(line))
     x, y, z = (float(np.interp(station, stations, [vertex[axis] for vertex in line])) for axis in (0, 1, 2))
@@ -106,7 +106,7 @@ def between(line: Line, start: float, finish: float) -> Line:
     inner = [
         vertex
         for vertex, here in zip(line, stations, strict=True)
-        if start + _SAME_POINT_M < here < finish - _SAME_POINT_M
+        if start + SAME_POINT_M < here < finish - SAME_POINT_M
     ]
     return (point_at(line, start), *inner, point_at(line, finish))
 
