@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from lanewright.core.attributes import LARGEST_ID
@@ -18,16 +18,24 @@ def renamed(state: MapState, lanes: Mapping[int, int], crossings: Mapping[int, i
     """
     changed: list[Element] = []
     gone = [ElementKey(ElementKind.LANE_SEGMENT, key) for key in lanes]
-    if lanes:
-        for lane in state.lanes.values():
-            named = _renamed_lane(lane, lanes)
-            if named is not lane:
-                changed.append(named)
+    for key in _having_or_naming(state, lanes):
+        named = _renamed_lane(state.lanes[key], lanes)
+        if named is not state.lanes[key]:
+            changed.append(named)
     for key, new in (crossings or {}).items():
         if key in state.crossings:
             changed.append(dataclasses.replace(state.crossings[key], id=new))
             gone.append(ElementKey(ElementKind.PEDESTRIAN_CROSSING, key))
     return state.replaced(changed, gone) if changed else state
+
+
+def _having_or_naming(state: MapState, ids: Collection[int]) -> list[int]:
+    """The lanes that have one of the ids or name it, ascending."""
+    if not ids:
+        return []
+    references = Survey(state).references
+    found = {key for key in ids if key in state.lanes}.union(*(references.get(key, ()) for key in ids))
+    return sorted(found)
 
 
 def _renamed_lane(lane: LaneSegment, ids: Mapping[int, int]) -> LaneSegment:
@@ -155,10 +163,10 @@ def with_neighbors_found(lanes: dict[int, LaneSegment], loose: Iterable[int]) ->
 def unlinked(state: MapState, lanes: Iterable[int], crossings: Iterable[int] = ()) -> MapState:
     """The state without those elements; whoever named a removed lane names it no more."""
     gone = set(lanes)
-    left = [(lane, _without(lane, gone)) for lane in state.lanes.values() if lane.id not in gone]
+    left = [_without(state.lanes[key], gone) for key in _having_or_naming(state, gone) if key not in gone]
     removed = [ElementKey(ElementKind.LANE_SEGMENT, key) for key in gone]
     removed += [ElementKey(ElementKind.PEDESTRIAN_CROSSING, key) for key in crossings]
-    return state.replaced([now for was, now in left if now is not was], removed)
+    return state.replaced(left, removed)
 
 
 def _without(lane: LaneSegment, gone: set[int]) -> LaneSegment:

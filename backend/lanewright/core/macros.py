@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping
 from weakref import WeakKeyDictionary
 
+import numpy as np
 import shapely
 
 from lanewright.core.changes import AtomicChange, Category, Macros, StructuralUpdate
@@ -67,19 +68,26 @@ def _related(comparison: Comparison, keys: Collection[ElementKey]) -> Iterable[t
 
 
 def _near(comparison: Comparison, keys: list[ElementKey]) -> Iterable[tuple[ElementKey, ElementKey]]:
-    """Pairs of elements whose areas, in either map, are within 5 m."""
-    owners: list[ElementKey] = []
-    shapes = []
-    for key in keys:
-        for shape in comparison.shapes(key):
-            owners.append(key)
-            shapes.append(shape)
-    if not shapes:
+    """Pairs of elements whose areas, in either map, are within 5 m: as many as hold together all that are."""
+    shaped = [(key, shape) for key in keys for shape in comparison.shapes(key) if not shapely.is_empty(shape)]
+    if not shaped:
         return
+    owners, shapes = [key for key, _ in shaped], np.array([shape for _, shape in shaped])
+    west, south, east, north = shapely.bounds(shapes).T
+    around = shapely.box(west - TOUCHING_M, south - TOUCHING_M, east + TOUCHING_M, north + TOUCHING_M)
     tree = shapely.STRtree(shapes)
-    for one, other in tree.query(shapes, predicate="dwithin", distance=TOUCHING_M).T:
-        if one < other:
-            yield owners[one], owners[other]
+    left = np.ones(len(shapes), dtype=bool)
+    for first in range(len(shapes)):
+        queue = [first]
+        while queue:
+            here = queue.pop()
+            left[here] = False
+            candidates = tree.query(around[here])
+            candidates = candidates[left[candidates]]
+            near = candidates[shapely.dwithin(shapes[candidates], shapes[here], TOUCHING_M)]
+            left[near] = False
+            queue += near.tolist()
+            yield from ((owners[here], owners[other]) for other in near)
 
 
 def macros(comparison: Comparison, changes: Collection[AtomicChange]) -> Macros:

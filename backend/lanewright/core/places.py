@@ -24,6 +24,8 @@ Cell = tuple[int, int]
 """A square of a grid, or the positions of two lanes in their chains."""
 _MOST_AT_ONE_PLACE = 20
 """Chains that coincide with one chain; where there are more, the others show when these are settled."""
+_MOST_PAIRED = 200
+"""Lanes at one place that are looked at for each lane that was there."""
 FAR_M = 3.0
 """A lane that no junction holds and that moved further than this is another lane."""
 
@@ -51,12 +53,12 @@ def _unmoved(comparison: Comparison, deleted: Chain, inserted: Chain) -> bool:
 def _same_corners(comparison: Comparison, end: int) -> list[tuple[int, int]]:
     """Pairs of a deleted and an inserted lane that start (finish) at the very same points, ascending."""
     by_corner: dict[tuple[Point, Point], list[int]] = {}
-    for now in comparison.inserted_lanes:
+    for now in sorted(comparison.inserted_lanes):
         by_corner.setdefault(_corners(comparison.edited.lanes[now], end), []).append(now)
     return sorted(
         (was, now)
         for was in comparison.deleted_lanes
-        for now in by_corner.get(_corners(comparison.base.lanes[was], end), ())
+        for now in by_corner.get(_corners(comparison.base.lanes[was], end), ())[:_MOST_PAIRED]
         if readable_element(comparison.base.lanes[was])
     )
 
@@ -105,7 +107,7 @@ def coinciding_ends(comparison: Comparison, end: int) -> list[tuple[int, int]]:
     survivors = comparison.surviving_lanes
     by_anchor: dict[Endpoint, list[int]] = {}
     by_cell: dict[Cell, list[int]] = {}
-    for now in comparison.inserted_lanes:
+    for now in sorted(comparison.inserted_lanes):
         anchors = comparison.edited_graph.anchors((now, end), survivors)
         for anchor in anchors:
             by_anchor.setdefault(anchor, []).append(now)
@@ -114,14 +116,14 @@ def coinciding_ends(comparison: Comparison, end: int) -> list[tuple[int, int]]:
     pairs: set[tuple[int, int]] = set()
     for was in comparison.deleted_lanes:
         anchors = comparison.base_graph.anchors((was, end), survivors)
-        pairs.update((was, now) for anchor in anchors for now in by_anchor.get(anchor, ()))
+        pairs.update((was, now) for anchor in anchors for now in by_anchor.get(anchor, ())[:_MOST_PAIRED])
         if not anchors and readable_element(comparison.base.lanes[was]):
             here = comparison.base_graph.location((was, end))
             x, y = _cell(here)
             pairs.update(
                 (was, now)
                 for cell in product((x - 1, x, x + 1), (y - 1, y, y + 1))
-                for now in by_cell.get(cell, ())
+                for now in by_cell.get(cell, ())[:_MOST_PAIRED]
                 if distance_m(here, comparison.edited_graph.location((now, end))) <= COINCIDENT_M
             )
     return sorted(pairs)
