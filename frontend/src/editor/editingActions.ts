@@ -1,6 +1,7 @@
 /** Everything that changes the map. */
 import { idsForCut, planCut, planJoin } from "./actions/cuts";
 import { planCrossing, planDrawnLane, planLaneBeside } from "./actions/insertion";
+import { planUnlink } from "./actions/links";
 import { planDeletion, planIntersection, planLaneType, planMark } from "./actions/properties";
 import { planReversal } from "./actions/reversal";
 import { planRevert } from "./actions/revert";
@@ -143,6 +144,7 @@ export function editingActions(stage: Stage): EditingActions {
       if (done.ok && note !== undefined) stage.say(`${note}.`);
       return done;
     },
+    unlink: (from, to) => stage.run((document) => planUnlink(document, from, to)),
     reverseLane: (lane) => stage.run((document) => planReversal(stage.state.base, document, lane)),
     sketchPoint: (at) => {
       const points = stage.state.sketch?.points ?? [];

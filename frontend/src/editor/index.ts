@@ -61,7 +61,7 @@ export type {
   Tool,
 } from "./state";
 export { createEditor } from "./store";
-export { together } from "./topology";
+export { linkedLanes, together } from "./topology";
 export type {
   Declaration,
   DraftContent,

@@ -143,6 +143,8 @@ export interface EditorActions {
   cutLane(lane: number, at: Place, reach: number): Promise<Inserted>;
   /** Makes the lane and the one in series with it one again. */
   joinLane(lane: number): Outcome;
+  /** Takes out the link from one lane to another. Ends that are dragged onto each other are linked. */
+  unlink(from: number, to: number): Outcome;
   /** Turns a lane round that was drawn in this task. */
   reverseLane(lane: number): Outcome;
   /** A click of the drawing tool in hand. */

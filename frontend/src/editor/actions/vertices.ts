@@ -8,6 +8,7 @@ import { planOf } from "../planOf";
 import { middle } from "../polyline";
 import { isJoint, type Occurrence, occurrencesAt, together } from "../topology";
 import { Workpiece } from "../workpiece";
+import { linkMetEnds } from "./links";
 
 /** Where a drawn vertex comes to lie: exactly on an existing vertex, else rounded to the centimetre. */
 export function landing(document: MapDocument, to: Place): Place {
@@ -28,9 +29,11 @@ export function planVertexMove(document: MapDocument, vertex: VertexRef, to: Pla
   if (!isSide(vertex.side)) return refuse(GONE);
   const copies = together(document, { lane: vertex.id, side: vertex.side, index: vertex.index });
   moveCopies(work, copies, drawn(target));
+  const linked = linkMetEnds(work, copies);
   const others = new Set(copies.map(({ lane }) => lane)).size - 1;
   const shared = others === 0 ? "" : others === 1 ? " and of 1 other lane" : ` and of ${others} other lanes`;
-  return planOf(work, `Moved a vertex of ${nameOf(vertex)}${shared}`);
+  const met = linked.length === 0 ? "" : `; ${linked.join(", ")}`;
+  return planOf(work, `Moved a vertex of ${nameOf(vertex)}${shared}${met}`);
 }
 
 /** Every vertex of the element by the same offset; what joins or borders it follows. */

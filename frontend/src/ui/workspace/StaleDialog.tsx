@@ -4,7 +4,8 @@ import type { ConflictingElement } from "../../api/types";
 import { conflictKey, differingNames, type Side, settledEdits } from "../../work/settle";
 import { counted, KIND_WORDS } from "../parts/words";
 import { tellProblem } from "../shell/tell";
-import { useScreen, useWorkspace } from "./context";
+import { useEditor, useScreen, useWorkspace } from "./context";
+import { attributeRows } from "./inspector/attributeRows";
 import { useWork } from "./useFindings";
 import classes from "./workspace.module.css";
 
@@ -15,8 +16,9 @@ const SIDES: { value: Side; label: string }[] = [
 
 /** Others saved what contradicts this draft: each element is settled, then editing goes on at the newer revision. */
 export function StaleDialog() {
-  const { work, workspace, editor, screen, reopen } = useWorkspace();
+  const { work, editor, screen, reopen } = useWorkspace();
   const shown = useScreen((state) => state.staleShown);
+  const seen = useEditor((state) => state.savedRevision);
   const stale = useWork((state) => state.stale);
   const [choices, setChoices] = useState<ReadonlyMap<string, Side>>(new Map());
   const [busy, setBusy] = useState(false);
@@ -40,7 +42,7 @@ export function StaleDialog() {
     >
       <Stack gap={12}>
         <p className="second">
-          Somebody saved revision {stale.head} while you worked from revision {workspace.revision}. Decide for
+          Somebody saved revision {stale.head} while you worked from revision {seen}. Decide for
           each element; all your other edits stay.
         </p>
         <ul className={classes.conflicts}>
@@ -70,12 +72,24 @@ export function StaleDialog() {
   );
 }
 
-/** "deleted", or what was changed on it, by name. */
+const NEITHER_PAINT_NOR_TYPE: Readonly<Record<string, string>> = {
+  left_lane_boundary: "left boundary moved",
+  right_lane_boundary: "right boundary moved",
+  edge1: "first edge moved",
+  edge2: "second edge moved",
+  successors: "links changed",
+  predecessors: "links changed",
+};
+
+/** "deleted", or what was changed on it: "right mark none → dashed white, left boundary moved". */
 function did(base: ConflictingElement["base"], version: ConflictingElement["base"]): string {
-  if (version === null) return "deleted it";
-  if (base === null) return "inserted it";
-  const names = differingNames(base, version).map((name) => name.replaceAll("_", " "));
-  return names.length === 0 ? "left it" : `changed ${names.join(", ")}`;
+  if (version === null) return "deleted";
+  if (base === null) return "inserted";
+  const values = attributeRows({ old: base, new: version }).map(
+    ({ name, before, after }) => `${name} ${before} → ${after}`,
+  );
+  const others = differingNames(base, version).flatMap((name) => NEITHER_PAINT_NOR_TYPE[name] ?? []);
+  return [...values, ...new Set(others)].join(", ") || "neighbours changed";
 }
 
 function Conflict({ conflict }: { conflict: ConflictingElement }) {
@@ -84,8 +98,8 @@ function Conflict({ conflict }: { conflict: ConflictingElement }) {
       <strong>
         {KIND_WORDS[conflict.kind]} <span className="mono">{conflict.id}</span>
       </strong>
-      <p className="second small">You {did(conflict.base, conflict.mine)}.</p>
-      <p className="second small">They {did(conflict.base, conflict.theirs)}.</p>
+      <p className="second small">You: {did(conflict.base, conflict.mine)}</p>
+      <p className="second small">They: {did(conflict.base, conflict.theirs)}</p>
     </div>
   );
 }

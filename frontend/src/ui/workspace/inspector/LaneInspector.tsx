@@ -48,7 +48,7 @@ export function LaneInspector({ lane, base, editable }: LaneInspectorProperties)
           onChange={(event) => editor.actions.setIntersection(lane.id, event.currentTarget.checked)}
         />
       </div>
-      <LaneLinks lane={lane} />
+      <LaneLinks lane={lane} editable={editable} />
     </>
   );
 }
