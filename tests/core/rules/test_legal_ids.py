@@ -1,0 +1,39 @@
+"""Ids that no rule of identity objects to tell the canonical story, or the note says that they do not (spec §5, §6.3)."""
+
+from __future__ import annotations
+
+import pytest
+from tests.core.update_machine import told
+from tests.core.worlds import crossing, straight, world
+
+from lanewright.core.canonical import canonicalise
+from lanewright.core.rules import check
+
+#  ── 2 ──
+#  ── 1 ──    1.5 m apart, nothing holds them
+TWO = world(straight(1, 0, 60, 0, 3.5), straight(2, 0, 60, 5, 8.5))
+OVERLAPPING = world(crossing(5, 30), crossing(6, 31))
+#  1 ── 2
+ROW = world(straight(1, 0, 20, successors=(2,)), straight(2, 20, 40, predecessors=(1,)))
+
+CASES = {
+    "1 goes, 2 takes its place": (TWO, world(straight(2, 0, 60, 0, 3.5))),
+    "2 makes place for 1": (world(straight(2, 0, 60, 0, 3.5)), TWO),
+    "lanes exchange their ids": (TWO, world(straight(2, 0, 60, 0, 3.5), straight(1, 0, 60, 5, 8.5))),
+    "a crossing takes another's place": (OVERLAPPING, world(crossing(6, 30))),
+    "crossings exchange their ids": (OVERLAPPING, world(crossing(6, 30), crossing(5, 31))),
+    "the link goes, and the upstream lane is replaced": (ROW, world(straight(9, 0, 20), straight(2, 20, 40))),
+    "a new lane is drawn as two": (
+        TWO,
+        world(*TWO, straight(8, 0, 30, 20, 23.5, successors=(9,)), straight(9, 30, 60, 20, 23.5, predecessors=(8,))),
+    ),
+}
+
+
+@pytest.mark.xfail(strict=True, reason="the note looks only where something came, something went and something moved")
+@pytest.mark.parametrize("case", CASES)
+def test_what_is_not_canonical_is_noted(case):
+    base, edited = CASES[case]
+    assert told(base, edited) == told(base, canonicalise(base, edited)) or [
+        one.code for one in check(base, edited)
+    ] == ["identity.not_canonical"]
