@@ -42,8 +42,8 @@ export function StaleDialog() {
     >
       <Stack gap={12}>
         <p className="second">
-          Somebody saved revision {stale.head} while you worked from revision {seen}. Decide for
-          each element; all your other edits stay.
+          Somebody saved revision {stale.head} while you worked from revision {seen}. Decide for each element;
+          all your other edits stay.
         </p>
         <ul className={classes.conflicts}>
           {stale.conflicts.map((conflict) => (
