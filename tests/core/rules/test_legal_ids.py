@@ -1,4 +1,4 @@
-"""Ids that no rule of identity objects to tell the canonical story, or the note says that they do not (spec §5, §6.3)."""
+"""Ids that no rule of identity objects to tell the canonical story, or the note says they do not (spec §5, §6.3)."""
 
 from __future__ import annotations
 
