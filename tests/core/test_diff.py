@@ -146,3 +146,12 @@ def test_inversion_is_exact_for_any_edit_in_place(marks, kind, up, down):
     )
     assert invert(diff(base, edited)) == diff(edited, base)
     assert invert(invert(diff(base, edited))) == diff(base, edited)
+
+
+def test_an_intersection_lane_that_leads_nowhere_is_never_rerouted():
+    #  free at both ends: it has no function to keep
+    base = straight(1, 0, 60, is_intersection=True)
+    bent = dataclasses.replace(base, left_boundary=line("0,3.5 60,4.5"))
+    pushed = straight(1, 4, 64, is_intersection=True)
+    assert leaves(base, bent) == {1: ("geometry.border.left", "geometry.width.left")}
+    assert "geometry.topology" not in leaves(base, pushed)[1]

@@ -49,3 +49,12 @@ def test_edge_a_lane_linked_to_itself():
     ring = straight(1, 0, 20, successors=(1,), predecessors=(1,))
     base, edited = world(ring), world(dataclasses.replace(ring, successors=(), predecessors=()))
     assert (CODE, (1,)) in introduced(base, edited)
+
+
+def test_broken_beside_a_link_that_goes_for_nothing():
+    #  a junction that stays one loses a link (connectivity); far away the only link of two lanes goes
+    case = scenario("joint_link_removed")
+    far = [straight(801, 5000, 5020, successors=(802,)), straight(802, 5020, 5040, predecessors=(801,))]
+    cut = [dataclasses.replace(far[0], successors=()), dataclasses.replace(far[1], predecessors=())]
+    base, edited = world(*case.base, *far), world(*case.edited, *cut)
+    assert introduced(base, edited) == [(CODE, (801, 802))]

@@ -6,7 +6,7 @@ import dataclasses
 
 import pytest
 from tests.core.findings import introduced, mended, only
-from tests.core.worlds import line, scenario, straight, street, world
+from tests.core.worlds import lane, line, scenario, straight, street, world
 
 from lanewright.core.edits import apply_edits
 from lanewright.core.rules import check
@@ -161,3 +161,14 @@ def test_broken_where_no_end_can_be_moved_the_link_goes(elsewhere):
     assert [fix.title for fix in gap.fixes] == ["Take out the link from lane 200 to lane 9"]
     after = apply_edits(edited, gap.fixes[0].edits)
     assert (after.lanes[200].successors, after.lanes[9].predecessors) == ((), ())
+
+
+def test_broken_a_ring_that_does_not_close():
+    #  one lane round a roundabout: its end was dragged off its own start
+    def ring(tip):
+        left, right = f"2,0 0,2 -2,0 0,-2 {tip}", "6,0 0,6 -6,0 0,-6 6,0"
+        return world(lane(1, left, right, successors=(1,), predecessors=(1,)))
+
+    assert only(ring("2,0"), ring("2,-0.5"), CODE).elements == (1,)
+    after = mended(ring("2,0"), ring("2,-0.5"), CODE)
+    assert after.lanes[1].left_boundary[0] == after.lanes[1].left_boundary[-1]
