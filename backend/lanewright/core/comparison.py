@@ -6,7 +6,7 @@ looked at only where something differs, and remembered.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterable
 from functools import cached_property
 
 from lanewright.core import geometry
@@ -23,6 +23,10 @@ COINCIDENT_M = 3.0
 """Free chain ends within this distance are the same place (spec §5)."""
 SAME_CROSSING_OVERLAP = 0.3
 """Crossings with at least this intersection over union are one crossing (spec §5)."""
+
+
+_Apart = tuple[list[int], list[int], list[int]]
+"""Ids of elements that are not one object in both maps: those of the base alone, of the edited map alone, of both."""
 
 
 class Comparison:
@@ -71,34 +75,35 @@ class Comparison:
 
     @cached_property
     def deleted_lanes(self) -> frozenset[int]:
-        return frozenset(self._of_kind(ElementKind.LANE_SEGMENT, was=True, now=False))
+        return frozenset(self._lanes_apart[0])
 
     @cached_property
     def inserted_lanes(self) -> frozenset[int]:
-        return frozenset(self._of_kind(ElementKind.LANE_SEGMENT, was=False, now=True))
+        return frozenset(self._lanes_apart[1])
 
     @cached_property
     def deleted_crossings(self) -> frozenset[int]:
-        return frozenset(self._of_kind(ElementKind.PEDESTRIAN_CROSSING, was=True, now=False))
+        return frozenset(self._crossings_apart[0])
 
     @cached_property
     def inserted_crossings(self) -> frozenset[int]:
-        return frozenset(self._of_kind(ElementKind.PEDESTRIAN_CROSSING, was=False, now=True))
+        return frozenset(self._crossings_apart[1])
 
     @cached_property
     def differing_lanes(self) -> tuple[int, ...]:
         """Surviving lanes that are not equal by value, ascending."""
         base, edited = self.base.lanes, self.edited.lanes
-        both = self._of_kind(ElementKind.LANE_SEGMENT, was=True, now=True)
-        return tuple(sorted(key for key in both if base[key] != edited[key]))
+        return tuple(sorted(key for key in self._lanes_apart[2] if base[key] != edited[key]))
 
-    def _of_kind(self, kind: ElementKind, *, was: bool, now: bool) -> Iterator[int]:
-        """Ids of elements that are not one object in both maps: those that the base has (or not) and the edited map."""
-        return (
-            key.id
-            for key in self.apart
-            if key.kind is kind and (key in self.base) is was and (key in self.edited) is now
-        )
+    @cached_property
+    def _lanes_apart(self) -> _Apart:
+        lanes = [key.id for key in self.apart if key.kind is ElementKind.LANE_SEGMENT]
+        return _parted(lanes, self.base.lanes, self.edited.lanes)
+
+    @cached_property
+    def _crossings_apart(self) -> _Apart:
+        crossings = [key.id for key in self.apart if key.kind is ElementKind.PEDESTRIAN_CROSSING]
+        return _parted(crossings, self.base.crossings, self.edited.crossings)
 
     @cached_property
     def touched_crossings(self) -> frozenset[int]:
@@ -109,8 +114,7 @@ class Comparison:
     def differing_crossings(self) -> tuple[int, ...]:
         """Surviving crossings that are not equal by value, ascending."""
         base, edited = self.base.crossings, self.edited.crossings
-        both = self._of_kind(ElementKind.PEDESTRIAN_CROSSING, was=True, now=True)
-        return tuple(sorted(key for key in both if base[key] != edited[key]))
+        return tuple(sorted(key for key in self._crossings_apart[2] if base[key] != edited[key]))
 
     @cached_property
     def inverse(self) -> Comparison:
@@ -229,6 +233,13 @@ class Comparison:
         if not readable_element(self.base.lanes[was[0]]) or not readable_element(self.edited.lanes[now[0]]):
             return False
         return distance_m(self.base_graph.location(was), self.edited_graph.location(now)) <= COINCIDENT_M
+
+
+def _parted(ids: Iterable[int], base: Collection[int], edited: Collection[int]) -> _Apart:
+    parted: _Apart = ([], [], [])
+    for key in ids:
+        parted[0 if key not in edited else 2 if key in base else 1].append(key)
+    return parted
 
 
 class _Inverse(Comparison):

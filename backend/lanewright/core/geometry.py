@@ -41,7 +41,7 @@ def plan(line: Line) -> Plan:
 
 def same_plan(one: Line, other: Line) -> bool:
     """Whether two lines have the same points in the plane, z aside."""
-    return one is other or (
+    return one == other or (
         len(one) == len(other) and all(a[0] == b[0] and a[1] == b[1] for a, b in zip(one, other, strict=True))
     )
 

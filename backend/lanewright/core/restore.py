@@ -57,7 +57,7 @@ def _restored(comparison: Comparison) -> MapState:
                 restored = _with_base_links(comparison, restored)
         elif known is not None and key not in changed:
             restored = known
-        elements.append(known if known is not None and known == restored else restored)
+        elements.append(next((one for one in (known, element) if one == restored), restored))
     return comparison.edited.replaced(elements)
 
 

@@ -7,13 +7,14 @@ from collections.abc import Iterator
 from typing import Any
 
 from lanewright.core.comparison import Comparison
-from lanewright.core.elements import ElementKind, LaneSegment, Line, MapState
+from lanewright.core.elements import ElementKind, LaneSegment, Line, MapState, Mark
 from lanewright.core.geometry import same_plan
 from lanewright.core.rules.rule import Remedy, Rule
 from lanewright.core.violations import Severity, Violation
 
 CODE = "neighbor.inconsistent"
 _OPPOSITE = {"left": "right", "right": "left"}
+_MIRRORED = {mark: mark.mirrored for mark in Mark}
 
 
 def find(comparison: Comparison) -> Iterator[Violation]:
@@ -69,7 +70,7 @@ def disagreement(lane: LaneSegment, other: LaneSegment, side: str) -> str | None
     theirs: Line = getattr(other, f"{answered}_boundary")
     if not same_plan(line, theirs[::-1] if answered == side else theirs):
         return "their shared line differs"
-    if getattr(lane, f"{side}_mark") is not getattr(other, f"{answered}_mark").mirrored:
+    if getattr(lane, f"{side}_mark") is not _MIRRORED[getattr(other, f"{answered}_mark")]:
         return "the mark on their shared line differs"
     return None
 
@@ -133,7 +134,7 @@ def _agreeing(comparison: Comparison, lane: int, neighbor: int, side: str) -> It
     line: Line = getattr(mine, f"{side}_boundary")
     fields = {
         f"{answered}_boundary": line[::-1] if answered == side else line,
-        f"{answered}_mark": getattr(mine, f"{side}_mark").mirrored,
+        f"{answered}_mark": _MIRRORED[getattr(mine, f"{side}_mark")],
     }
     carried = edited.replaced([dataclasses.replace(theirs, **fields)])
     yield Remedy(f"Give lane {neighbor} the line and mark of lane {lane}", carried)
