@@ -28,8 +28,9 @@ def worker(
     """Run background jobs until stopped; `lanewright serve` starts one by itself."""
     configure_logging(get_settings(), "worker")
     with contextlib.suppress(KeyboardInterrupt):
-        # Until procrastinate handles it: the lease on the cluster has to be given up in any case.
-        signal.signal(signal.SIGTERM, signal.default_int_handler)
+        # Until procrastinate handles them: the lease on the cluster has to be given up in any case.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        signal.signal(signal.SIGTERM, _interrupt)
         if until_stdin_ends:
             threading.Thread(target=_end_with_stdin, daemon=True).start()
         with database(migrated=False) as url:
@@ -37,6 +38,11 @@ def worker(
     if until_stdin_ends and get_settings().database_url is None:
         # A server that was killed could not stop the cluster, and this worker may not have got as far as a lease.
         PrivateCluster(get_settings().home).down_unless_used()
+
+
+def _interrupt(number: int, frame: object) -> None:
+    """SIGTERM is told as Ctrl-C, which asyncio turns into an orderly end; raised in its midst it would leave a trace."""
+    signal.raise_signal(signal.SIGINT)
 
 
 def _end_with_stdin() -> None:

@@ -2,34 +2,15 @@
 
 from __future__ import annotations
 
-import datetime
 from dataclasses import dataclass
+from typing import Any
 
 from sqlalchemy.orm import Session
 
-from lanewright.core.changes import Direction
 from lanewright.core.errors import NotFound
 from lanewright.db.repositories import logs
 from lanewright.services.actor import Actor
 from lanewright.services.importing import LIDAR_IMAGE
-
-
-@dataclass(frozen=True, slots=True)
-class LogView:
-    """A log with its figures; ``absent``: parts of a complete log that it lacks."""
-
-    log_id: str
-    dataset: str
-    city: str
-    source_split: str | None
-    release_split: str
-    direction: Direction
-    imported_at: datetime.datetime
-    lanes: int
-    crossings: int
-    sensors: dict[str, int]
-    absent: list[str]
-    tasks: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,12 +27,12 @@ class KeptImage:
 
 def listing(
     session: Session, *, text: str, city: str | None, split: str | None, page: int, page_size: int
-) -> tuple[list[LogView], int]:
-    """A page of logs by id, and how many there are in all."""
+) -> tuple[list[dict[str, Any]], int]:
+    """A page of logs by id as the JSON of ``LogOut``, and how many there are in all."""
     found, total = logs.find_logs(
         session, text=text, city=city, split=split, offset=(page - 1) * page_size, limit=page_size
     )
-    return [_view(listed) for listed in found], total
+    return [_document(listed) for listed in found], total
 
 
 def lidar_image(session: Session, actor: Actor, log_id: str) -> KeptImage:
@@ -71,19 +52,16 @@ def lidar_image(session: Session, actor: Actor, log_id: str) -> KeptImage:
     return KeptImage(log.id, sha256)
 
 
-def _view(listed: logs.ListedLog) -> LogView:
+def _document(listed: logs.ListedLog) -> dict[str, Any]:
     log, summary = listed.log, listed.log.summary
-    return LogView(
-        log_id=log.log_id,
-        dataset=log.dataset,
-        city=log.city,
-        source_split=log.source_split,
-        release_split=log.release_split,
-        direction=Direction(log.direction),
-        imported_at=log.imported_at,
-        lanes=summary["lanes"],
-        crossings=summary["crossings"],
-        sensors=summary["sensors"],
-        absent=summary["absent"],
-        tasks=listed.tasks,
-    )
+    return {
+        "log_id": log.log_id,
+        "dataset": log.dataset,
+        "city": log.city,
+        "source_split": log.source_split,
+        "release_split": log.release_split,
+        "direction": log.direction,
+        "imported_at": log.imported_at,
+        "tasks": listed.tasks,
+        **{name: summary[name] for name in ("lanes", "crossings", "sensors", "absent")},
+    }
