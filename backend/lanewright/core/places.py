@@ -236,15 +236,26 @@ def displaced_crossings(comparison: Comparison) -> Iterator[int]:
 
 def preserved_chains(comparison: Comparison) -> list[tuple[Chain, Chain]]:
     """Deleted and inserted chains with a pair of intersection lanes of equal function."""
-    deleted = [lane for lane in sorted(comparison.deleted_lanes) if comparison.base.lanes[lane].is_intersection]
-    inserted = [lane for lane in sorted(comparison.inserted_lanes) if comparison.edited.lanes[lane].is_intersection]
+    if not comparison.deleted_lanes or not comparison.inserted_lanes:
+        return []
+    by_approach: dict[int, set[int]] = {}
+    for now in comparison.inserted_lanes:
+        for lane in _approached_from(comparison, now, edited=True):
+            by_approach.setdefault(lane, set()).add(now)
     pairs = {
         (
             comparison.base_graph.chain_through(was, comparison.deleted_lanes),
             comparison.edited_graph.chain_through(now, comparison.inserted_lanes),
         )
-        for was in deleted
-        for now in inserted
+        for was in comparison.deleted_lanes
+        for now in set().union(*(by_approach.get(lane, ()) for lane in _approached_from(comparison, was, edited=False)))
         if comparison.equal_function(was, now)
     }
     return sorted(pairs)
+
+
+def _approached_from(comparison: Comparison, lane: int, *, edited: bool) -> set[int]:
+    """The survivors that approach an intersection lane, and those beside them: lanes of equal function share some."""
+    function = comparison.function(lane, edited=edited)
+    approaches = function.approaches if function else ()
+    return {beside for access in approaches for beside in access.group if beside in comparison.surviving_lanes}
