@@ -41,7 +41,7 @@ def worker(
 
 
 def _interrupt(number: int, frame: object) -> None:
-    """SIGTERM is told as Ctrl-C, which asyncio turns into an orderly end; raised in its midst it would leave a trace."""
+    """SIGTERM told as Ctrl-C, which asyncio ends in good order; raised in its midst it would leave a trace."""
     signal.raise_signal(signal.SIGINT)
 
 
