@@ -33,6 +33,9 @@ _A_FEW = 8
 _GRID_M = 1e-3
 _MOST_MENDED = 100
 
+quietly = np.errstate(divide="ignore", over="ignore", invalid="ignore")
+"""Around GEOS: on lines without length it divides by nothing, handles it, and NumPy would warn all the same."""
+
 
 def plan(line: Line) -> Plan:
     """The points of a line in the plane, shape (n, 2)."""
@@ -101,6 +104,7 @@ def _both_ways(one: Line, other: Line) -> list[tuple[Plan, Plan]]:
     return [(here[max(first - 1, 0) : len(here) - max(last - 1, 0)], there) for here, there in (points, points[::-1])]
 
 
+@quietly
 def _strays(points: Plan, line: Plan, limit_m: float) -> bool:
     """Whether any of the points is further than that from a polyline."""
     target = shapely.linestrings(line)
@@ -188,6 +192,7 @@ def turned(before: float, after: float) -> float:
     return math.pi if angle == -math.pi else angle
 
 
+@quietly
 def polygon(element: Element) -> Shape:
     """The area an element covers: left plus reversed right, or the hull of a crossing's corners.
 
@@ -211,6 +216,20 @@ def overlap(one: Shape, other: Shape) -> float:
     return float(overlaps(one, [other])[0])
 
 
+@quietly
+def apart_m(one: Shape, other: Shape) -> float:
+    """Distance between two areas; NaN where one is empty."""
+    return float(shapely.distance(one, other))
+
+
+@quietly
+def within(shapes: npt.NDArray[Any], one: Shape, limit_m: float) -> npt.NDArray[np.bool_]:
+    """Which of the areas are no further than that from another one, shape (n,)."""
+    near: npt.NDArray[np.bool_] = shapely.dwithin(shapes, one, limit_m)
+    return near
+
+
+@quietly
 def overlaps(one: Shape, others: Sequence[Shape]) -> npt.NDArray[np.float64]:
     """Intersection over union of an area with each of others, shape (n,)."""
     try:

@@ -11,7 +11,7 @@ import numpy.typing as npt
 import shapely
 
 from lanewright.core.elements import LaneSegment, Line
-from lanewright.core.geometry import FURTHEST_M
+from lanewright.core.geometry import FURTHEST_M, quietly
 
 NARROWEST_M = 0.3
 WIDEST_M = 15.0
@@ -58,11 +58,11 @@ class Linework:
             bad[self.readable] = self._unsound()
         return tuple(sorted(int(key) for key in self.ids[bad]))
 
+    @quietly
     def _unsound(self) -> Flags:
         half = self._half
         repeated = np.bincount(self._owner[:-1][self._within & (self._steps == 0)], minlength=2 * half) > 0
-        with np.errstate(divide="ignore", invalid="ignore"):
-            width = self.area_m2 / self.mean_length_m
+        width = self.area_m2 / self.mean_length_m
         lines = shapely.linestrings(self._points, indices=self._owner)
         side = repeated | ~shapely.is_simple(lines)
         met = shapely.intersects(lines[:half], lines[half:])

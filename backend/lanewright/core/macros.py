@@ -11,6 +11,7 @@ import shapely
 from lanewright.core.changes import AtomicChange, Category, Macros, StructuralUpdate
 from lanewright.core.comparison import Comparison, lane_key
 from lanewright.core.elements import ElementKey, ElementKind
+from lanewright.core.geometry import within
 from lanewright.core.leaves import TOPOLOGY
 from lanewright.core.roadgraph import RoadGraph
 
@@ -84,7 +85,7 @@ def _near(comparison: Comparison, keys: list[ElementKey]) -> Iterable[tuple[Elem
             left[here] = False
             candidates = tree.query(around[here])
             candidates = candidates[left[candidates]]
-            near = candidates[shapely.dwithin(shapes[candidates], shapes[here], TOUCHING_M)]
+            near = candidates[within(shapes[candidates], shapes[here], TOUCHING_M)]
             left[near] = False
             queue += near.tolist()
             yield from ((owners[here], owners[other]) for other in near)

@@ -10,12 +10,10 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from itertools import combinations, product
 
-import shapely
-
 from lanewright.core.comparison import COINCIDENT_M, Comparison, crossing_key, lane_key, same_crossing
 from lanewright.core.crossing_areas import CrossingAreas
 from lanewright.core.elements import LaneSegment, Point
-from lanewright.core.geometry import distance_m, moved, readable_element
+from lanewright.core.geometry import apart_m, distance_m, moved, readable_element
 from lanewright.core.identity import joined
 from lanewright.core.lateral import lateral_group
 from lanewright.core.roadgraph import FINISH, START, Chain, Endpoint, Link
@@ -187,7 +185,7 @@ def displaced_lanes(comparison: Comparison) -> Iterator[int]:
     for lane in comparison.differing_lanes:
         if any(comparison.moved_sides(lane)) and not held(comparison, lane):
             was, now = (comparison.shape(lane_key(lane), edited=edited) for edited in (False, True))
-            if shapely.distance(was, now) > FAR_M and not comparison.keeps_function(lane):
+            if apart_m(was, now) > FAR_M and not comparison.keeps_function(lane):
                 yield lane
 
 

@@ -10,7 +10,7 @@ import shapely
 
 from lanewright.core.comparison import Comparison
 from lanewright.core.elements import Element, LaneSegment, Line, MapState, PedestrianCrossing
-from lanewright.core.geometry import Plan, length_m, lines_of, plan, readable, same_plan
+from lanewright.core.geometry import Plan, length_m, lines_of, plan, quietly, readable, same_plan
 from lanewright.core.linework import NARROWEST_M, WIDEST_M
 from lanewright.core.rules.rule import Rule, no_remedies
 from lanewright.core.survey import Survey
@@ -101,8 +101,13 @@ def _line_problems(line: Line) -> Iterator[str]:
         if one[:2] == other[:2]:
             yield f"repeats its point {index + 1}"
             return
-    if not shapely.is_simple(shapely.linestrings(plan(line))):
+    if _crosses_itself(plan(line)):
         yield "crosses itself"
+
+
+@quietly
+def _crosses_itself(points: Plan) -> bool:
+    return not shapely.is_simple(shapely.linestrings(points))
 
 
 def _pair_problems(element: Element) -> Iterator[str]:
@@ -130,6 +135,7 @@ def signed_area_m2(ring: Plan) -> float:
     return float((x * np.roll(y, -1) - np.roll(x, -1) * y).sum() / 2)
 
 
+@quietly
 def crosses(one: Plan, other: Plan) -> bool:
     """Whether two lines meet anywhere but in a common end (a lane may taper to a point)."""
     lines = shapely.linestrings(one), shapely.linestrings(other)

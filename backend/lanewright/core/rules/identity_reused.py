@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import shapely
-
 from lanewright.core.comparison import Comparison, same_crossing
 from lanewright.core.elements import Element, ElementKey, ElementKind
-from lanewright.core.geometry import polygon, readable_element
+from lanewright.core.geometry import apart_m, polygon, readable_element
 from lanewright.core.identity import fresh_id, renamed
 from lanewright.core.places import FAR_M
 from lanewright.core.rules.rule import Remedy, Rule
@@ -43,7 +41,7 @@ def _same(comparison: Comparison, was: Element, key: ElementKey) -> bool:
     before, now = polygon(was), comparison.shape(key, edited=True)
     if key.kind is ElementKind.PEDESTRIAN_CROSSING:
         return same_crossing(before, now)
-    return bool(shapely.distance(before, now) <= FAR_M)
+    return apart_m(before, now) <= FAR_M
 
 
 def remedies(comparison: Comparison, violation: Violation) -> Iterator[Remedy]:
