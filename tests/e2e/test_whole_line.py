@@ -217,6 +217,8 @@ def accept(reviewer: Page, drive: Drive, task: int) -> None:
     reviewer.goto(f"/review?q={drive.log_id}")
     expect(reviewer.get_by_label(f"Task {task}", exact=True)).to_be_visible(timeout=30_000)
     reviewer.keyboard.press("g")
+    expect(reviewer.get_by_text(f"Press G again to accept task {task}")).to_be_visible()
+    reviewer.keyboard.press("g")
     expect(reviewer.get_by_text(re.compile(rf"Task {task} .*accepted"))).to_be_visible(timeout=30_000)
 
 

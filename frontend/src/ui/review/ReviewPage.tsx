@@ -12,6 +12,7 @@ import { useFilter } from "../pages/useFilter";
 import { Loading } from "../parts/Loading";
 import { ProblemNotice } from "../parts/ProblemNotice";
 import { useNow } from "../parts/useNow";
+import { usePressAgain } from "../parts/usePressAgain";
 import { duration, shortLogName } from "../parts/words";
 import { tell, tellProblem } from "../shell/tell";
 import { NothingToReview } from "./NothingToReview";
@@ -70,6 +71,8 @@ export function ReviewPage() {
       .then((task) => judged(task, "accepted"), tellProblem)
       .finally(() => setBusy(false));
   };
+  const pressAccept = usePressAgain(() => tell(`Press G again to accept task ${chosen?.id}.`), acceptChosen);
+  const acceptByKey = () => chosen !== undefined && pressAccept(`${chosen.id} ${chosen.head}`);
   useHotkeys([
     ["ArrowDown", () => step(1)],
     ["J", () => step(1)],
@@ -77,7 +80,7 @@ export function ReviewPage() {
     ["ArrowUp", () => step(-1)],
     ["K", () => step(-1)],
     ["Enter", () => open(chosen), { preventDefault: false }],
-    ["G", () => sendingBack === null && acceptChosen()],
+    ["G", (event) => !event.repeat && sendingBack === null && acceptByKey()],
     ["B", () => chosen !== undefined && setSendingBack(chosen)],
   ]);
 
@@ -91,8 +94,8 @@ export function ReviewPage() {
             oldest !== undefined && queue.data !== undefined ? (
               <>
                 {queue.data.total} waiting · oldest{" "}
-                {duration((now - new Date(oldest.state_since).getTime()) / 1000)} · <kbd>G</kbd> accept ·{" "}
-                <kbd>B</kbd> send back · <kbd>N</kbd> next · <kbd>Enter</kbd> open
+                {duration((now - new Date(oldest.state_since).getTime()) / 1000)} · <kbd>G</kbd> <kbd>G</kbd>{" "}
+                accept · <kbd>B</kbd> send back · <kbd>N</kbd> next · <kbd>Enter</kbd> open
               </>
             ) : undefined
           }

@@ -2,6 +2,7 @@ import { Button } from "@mantine/core";
 import { useQueryClient } from "@tanstack/react-query";
 import { useState } from "react";
 import { writeRemarks } from "../../work/browserStore";
+import { usePressAgain } from "../parts/usePressAgain";
 import { SendBackDialog } from "../review/SendBackDialog";
 import { accept, mayJudge } from "../review/steps";
 import { tell, tellProblem } from "../shell/tell";
@@ -37,7 +38,15 @@ export function Decisions() {
       .then(() => decided("accepted"), tellProblem)
       .finally(() => setBusy(false));
   };
-  useReviewKeys(judging && dialog === null, acceptIt, () => setDialog("send_back"));
+  const pressAccept = usePressAgain(
+    () => tell(`Press G again to accept revision ${workspace.revision}.`),
+    acceptIt,
+  );
+  useReviewKeys(
+    judging && dialog === null,
+    () => pressAccept(`${task.id} ${workspace.revision}`),
+    () => setDialog("send_back"),
+  );
   return (
     <>
       {judging && (

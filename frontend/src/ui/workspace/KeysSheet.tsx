@@ -4,7 +4,7 @@ import { useScreen, useWorkspace } from "./context";
 import classes from "./workspace.module.css";
 
 const REVIEW_KEYS: readonly Pick<KeyBinding, "label" | "words">[] = [
-  { label: "G", words: "Accept the revision" },
+  { label: "G G", words: "Accept the revision (press twice)" },
   { label: "B", words: "Send it back with a reason" },
   { label: "N", words: "Next change" },
 ];

@@ -18,6 +18,7 @@ export function RuleSheet() {
       onClose={() => screen.setState({ rule: null })}
       position="right"
       size={460}
+      overlayProps={{ backgroundOpacity: 0.2 }}
       title={code === null ? "" : ruleTitle(code)}
     >
       {code !== null && (

@@ -30,8 +30,10 @@ export function MarkPicker({ id, lane, side, editable }: MarkPickerProperties) {
       withCheckIcon={false}
       maxDropdownHeight={420}
       comboboxProps={{ width: 250, position: "bottom-end" }}
-      leftSection={<MarkPaint mark={mark} side={side} width={40} />}
-      leftSectionWidth={54}
+      leftSection={<MarkPaint mark={mark} side={side} width={28} />}
+      leftSectionWidth={37}
+      rightSectionWidth={20}
+      classNames={{ input: classes.markInput ?? "" }}
       leftSectionPointerEvents="none"
       renderOption={({ option }) => (
         <span className={classes.mark}>
