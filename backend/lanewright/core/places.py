@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from itertools import combinations, product
 
 from lanewright.core.comparison import COINCIDENT_M, Comparison, crossing_key, lane_key, same_crossing
@@ -234,22 +234,43 @@ def displaced_crossings(comparison: Comparison) -> Iterator[int]:
 
 def preserved_chains(comparison: Comparison) -> list[tuple[Chain, Chain]]:
     """Deleted and inserted chains with a pair of intersection lanes of equal function."""
+    return _preserved_runs(comparison, comparison.deleted_lanes, comparison.inserted_lanes)
+
+
+def preserved_turns(comparison: Comparison) -> list[tuple[Chain, Chain]]:
+    """Deleted and inserted runs inside an intersection with a pair of lanes of equal function."""
+    deleted = {lane for lane in comparison.deleted_lanes if comparison.base.lanes[lane].is_intersection}
+    inserted = {lane for lane in comparison.inserted_lanes if comparison.edited.lanes[lane].is_intersection}
+    return _preserved_runs(comparison, deleted, inserted)
+
+
+def _preserved_runs(
+    comparison: Comparison, deleted: Collection[int], inserted: Collection[int]
+) -> list[tuple[Chain, Chain]]:
+    pairs = {
+        (
+            comparison.base_graph.chain_through(was, deleted),
+            comparison.edited_graph.chain_through(now, inserted),
+        )
+        for was, now in preserved_lanes(comparison)
+    }
+    return sorted(pairs)
+
+
+def preserved_lanes(comparison: Comparison) -> list[tuple[int, int]]:
+    """Deleted and inserted intersection lanes of equal function, ascending."""
     if not comparison.deleted_lanes or not comparison.inserted_lanes:
         return []
     by_approach: dict[int, set[int]] = {}
     for now in comparison.inserted_lanes:
         for lane in _approached_from(comparison, now, edited=True):
             by_approach.setdefault(lane, set()).add(now)
-    pairs = {
-        (
-            comparison.base_graph.chain_through(was, comparison.deleted_lanes),
-            comparison.edited_graph.chain_through(now, comparison.inserted_lanes),
-        )
+    return sorted(
+        (was, now)
         for was in comparison.deleted_lanes
         for now in set().union(*(by_approach.get(lane, ()) for lane in _approached_from(comparison, was, edited=False)))
         if comparison.equal_function(was, now)
-    }
-    return sorted(pairs)
+    )
 
 
 def _approached_from(comparison: Comparison, lane: int, *, edited: bool) -> set[int]:

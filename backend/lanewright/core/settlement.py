@@ -16,7 +16,8 @@ from lanewright.core.places import (
     displaced_crossings,
     displaced_lanes,
     exchanged_lanes,
-    preserved_chains,
+    preserved_lanes,
+    preserved_turns,
     rerouted_links,
     same_runs,
     unjustified_crossings,
@@ -74,15 +75,24 @@ def _uncross(assignment: Assignment, comparison: Comparison) -> bool:
 
 
 def _match_places(assignment: Assignment, comparison: Comparison) -> bool:
-    """Runs that took the place of a deleted chain, and turns that kept their function, take the old ids."""
-    return _match(assignment, comparison, coinciding_runs(comparison)) or _match(
-        assignment, comparison, preserved_chains(comparison)
+    """Runs that took the place of a deleted chain, and turns that kept their function, take the old ids: turns together
+    with what is in series with them inside the intersection, else by themselves."""
+    lanes = (((was,), (now,)) for was, now in preserved_lanes(comparison))
+    return (
+        _match(assignment, comparison, coinciding_runs(comparison))
+        or _match(assignment, comparison, preserved_turns(comparison), cut=False)
+        or _match(assignment, comparison, lanes)
     )
 
 
-def _match(assignment: Assignment, comparison: Comparison, pairs: Iterable[tuple[Chain, Chain]]) -> bool:
+def _match(
+    assignment: Assignment, comparison: Comparison, pairs: Iterable[tuple[Chain, Chain]], *, cut: bool = True
+) -> bool:
     """Match pairs of runs, no lane twice: first those that save the most insertions and deletions, then by the fewest
-    categories, the least displacement, the smallest ids. Whether there were any."""
+    categories, the least displacement, the smallest ids. Whether there were any.
+
+    ``cut``: also where base lanes must be cut for it.
+    """
     candidates: list[tuple[tuple[float, ...], Chain, Chain, Alignment]] = []
     for deleted, inserted in pairs:
         if any((now, was) in assignment.banned for was in deleted for now in inserted):
@@ -94,6 +104,8 @@ def _match(assignment: Assignment, comparison: Comparison, pairs: Iterable[tuple
         if not all(readable_element(lane) for lane in (*was, *now)):
             continue
         alignment = align(was, now)
+        if alignment.parts and not cut:
+            continue
         cost = (
             -len(deleted) - len(inserted),
             alignment.parts,
