@@ -158,9 +158,6 @@ def test_an_intersection_lane_that_leads_nowhere_is_never_rerouted():
     assert "geometry.topology" not in leaves(base, pushed)[1]
 
 
-@pytest.mark.xfail(
-    strict=True, reason="the middle of both lanes stands still: rounding, by the order of summing, turns it"
-)
 def test_inversion_is_exact_where_an_oncoming_neighbour_takes_the_id():
     #  1 ──>            <── 1   on the other side of the shared line
     was = lane(1, "2223.43,2309.0 2243.29,2311.29", "2223.77,2306.02 2243.64,2308.31")

@@ -22,7 +22,9 @@ def geometry_leaves(was: LaneSegment, now: LaneSegment, moved_left: bool, moved_
         for edited, lane in ((False, was), (True, now))
         for side, line in (("left", lane.left_boundary), ("right", lane.right_boundary))
     }
-    across = normals(np.mean(list(lines.values()), axis=0))
+    # Summed by map first, so that the inverse change has the very same normals.
+    sums = [lines[edited, "left"] + lines[edited, "right"] for edited in (False, True)]
+    across = normals((sums[0] + sums[1]) / 4)
     widened = np.abs(_width(lines, edited=True) - _width(lines, edited=False)).max() > SHAPE_M
     leaves: set[str] = set()
     for side, moved in _sides(moved_left, moved_right):
