@@ -1,4 +1,7 @@
-"""The properties of the change mapping (spec §6) under random edits of procedural maps and of the real ones."""
+"""The properties of the change mapping (spec §6) under random edits of procedural maps and of the real ones.
+
+The same sequences on every run; ``long_run`` looks for others.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,12 @@ from tests.core.worlds import REAL_MAPS, REAL_MAPS_MISSING
 
 
 def hold(machine, examples):
-    few = settings(max_examples=examples, stateful_step_count=STEPS, suppress_health_check=list(HealthCheck))
+    few = settings(
+        max_examples=examples,
+        stateful_step_count=STEPS,
+        derandomize=True,
+        suppress_health_check=list(HealthCheck),
+    )
     run_state_machine_as_test(machine, settings=few)
 
 
