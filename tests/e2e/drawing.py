@@ -27,8 +27,11 @@ class Drawing:
         """By a click on an imported lane that was not reshaped before, a little off its middle."""
         left, right = (self._lanes[lane][f"{side}_lane_boundary"] for side in ("left", "right"))
         x, y = (0.35 * middle(left)[axis] + 0.65 * middle(right)[axis] for axis in (0, 1))
-        self.work.click(self.pixel((x, y)))
+        self.click_lane((x, y))
         expect(self.page.get_by_test_id("selected")).to_have_attribute("data-element", f"lane_segment:{lane}")
+
+    def click_lane(self, place: Place) -> None:
+        self.work.click(self.pixel(place))
 
     def pixel(self, place: Place) -> Place:
         """Where a place is on the page; the map says how it lies."""
@@ -49,7 +52,7 @@ class Drawing:
     def delete(self) -> None:
         """The selected lane."""
         self.work.delete()
-        expect(self.work.inspector).to_contain_text("Nothing selected")
+        expect(self.page.get_by_test_id("selected")).to_have_count(0)
 
     def paint(self, side: str, words: str) -> None:
         self.work.paint(side, words)
@@ -60,6 +63,12 @@ class Drawing:
 
     def unlink(self, words: str, lane: int) -> None:
         self.work.inspector.get_by_role("button", name=f"Unlink {words} lane {lane}").click()
+
+    def cut(self, lane: int, place: Place) -> None:
+        """Whatever lane lies there; its second part is selected then."""
+        self.work.press("x")
+        self.work.click(self.pixel(place))
+        expect(self.work.inspector).to_contain_text(f"part of lane {lane}")
 
     def insert_beside(self, place: Place) -> None:
         """A lane on that side of the lane under the place to which the place is nearer."""

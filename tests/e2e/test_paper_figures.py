@@ -13,7 +13,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 from tests.e2e.conftest import LiveServer, sign_in
 from tests.e2e.drawing import Drawing
-from tests.services.log_folder import write_log
+from tests.e2e.small_tasks import tasks_on
 
 FIXTURES = Path(__file__).parents[1] / "fixtures" / "bijective"
 
@@ -122,31 +122,9 @@ def fixture(name: str) -> dict[str, Any]:
 
 @pytest.fixture(scope="module")
 def tasks(server: LiveServer, chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> dict[str, int]:
-    """A task per figure, on a log whose map is the fixture's base; imported by command, assigned by the admin."""
-    folder = tmp_path_factory.mktemp("figures")
-    logs = {}
-    for position, figure in enumerate(FIGURES):
-        name = figure.__name__
-        logs[name] = f"PaperFigure{position:02}{'x' * 19}__Spring_2020"
-        write_log(folder, logs[name], map_text=json.dumps(fixture(name)["base"]))
-    imported = server.command("import", str(folder), "--split", "test", "--direction", "prior_to_current")
-    assert imported.returncode == 0, imported.stdout + imported.stderr
-    with chromium.new_context(base_url=server.address) as context:
-        page = context.new_page()
-        sign_in(page, "admin")
-        page.goto("/logs?q=PaperFigure")
-        for log_id in logs.values():
-            page.get_by_role("checkbox", name=f"Log {log_id}").check()
-        page.get_by_role("button", name="Create tasks…").click()
-        dialog = page.get_by_role("dialog")
-        dialog.get_by_label("Assignee").click()
-        page.get_by_role("option", name="annotator").click()
-        dialog.get_by_role("button", name="Create").click()
-        dialog.wait_for(state="hidden")
-        answer = page.request.get("/api/v1/tasks", params={"q": "PaperFigure", "page_size": 50})
-        expect(answer).to_be_ok()
-        numbers = {task["log_id"]: task["id"] for task in answer.json()["items"]}
-    return {name: numbers[log_id] for name, log_id in logs.items()}
+    """A task per figure, on a log whose map is the fixture's base."""
+    maps = {figure.__name__: fixture(figure.__name__)["base"] for figure in FIGURES}
+    return tasks_on(server, chromium, tmp_path_factory.mktemp("figures"), "PaperFigure", maps)
 
 
 @pytest.fixture(scope="module")

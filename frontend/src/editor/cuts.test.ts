@@ -81,6 +81,15 @@ describe("a cut", () => {
     expect(lane(editor, beside.id).right_lane_mark_type).toBe("SOLID_WHITE");
   });
 
+  test("leaves the lane beside whole, and painting the shared piece says so", async () => {
+    const editor = open();
+    const [, other] = await cut(editor, 1, 16, 2);
+    editor.actions.setMark(other.id, "right", "DASHED_WHITE");
+    expect(editor.getState().notice?.text).not.toContain("painted otherwise");
+    editor.actions.setMark(other.id, "left", "SOLID_WHITE");
+    expect(editor.getState().notice?.text).toContain("Lane 3 holds this piece of line too");
+  });
+
   test("of a lane drawn in this task makes two drawn lanes", async () => {
     const editor = open();
     const drawn = await editor.actions.insertLaneBeside(1, "right");
@@ -124,7 +133,8 @@ describe("a join", () => {
     const editor = open();
     const [one, other] = await cut(editor, 1, 16, 2);
     editor.actions.setLaneType(other.id, "BUS");
-    expect(reasonOf(editor.actions.joinLane(one.id))).toContain("differ in the type");
+    for (const { id } of [one, other])
+      expect(reasonOf(editor.actions.joinLane(id))).toContain("differ in the type");
   });
 
   test("of imported lanes is refused", () => {

@@ -9,6 +9,7 @@ import { planElementMove, planVertexInsertion, planVertexMove, planVertexRemoval
 import { elementOf, type MapDocument } from "./document";
 import type { ElementKind } from "./elements";
 import { lineOf } from "./lines";
+import { paintedOtherwise } from "./partialSharing";
 import type { Planned } from "./plan";
 import { distance } from "./polyline";
 import { NO_IDS, type Stage } from "./stage";
@@ -16,6 +17,11 @@ import type { EditorActions, Inserted, Outcome } from "./state";
 
 const CUT =
   "Lane cut. Now change a mark, the type or the intersection of one part: only a difference makes the cut legal.";
+
+function besidePainted(lanes: readonly number[]): string {
+  const names = lanes.length === 1 ? `Lane ${lanes[0]} holds` : `Lanes ${lanes.join(" and ")} hold`;
+  return `${names} this piece of line too, painted otherwise: cut there at the same place (X) and paint it alike.`;
+}
 
 type EditingActions = Omit<
   EditorActions,
@@ -121,7 +127,13 @@ export function editingActions(stage: Stage): EditingActions {
         vertex === null ? planDeletion(document, key) : planVertexRemoval(document, vertex),
       );
     },
-    setMark: (lane, side, mark) => stage.run((document) => planMark(document, lane, side, mark)),
+    setMark: (lane, side, mark) => {
+      const done = stage.run((document) => planMark(document, lane, side, mark));
+      const painted = stage.state.current.lanes.get(lane);
+      const others = done.ok && painted ? paintedOtherwise(stage.state.current, painted, side) : [];
+      if (others.length > 0) stage.say(besidePainted(others));
+      return done;
+    },
     setLaneType: (lane, laneType) => stage.run((document) => planLaneType(document, lane, laneType)),
     setIntersection: (lane, flag) => stage.run((document) => planIntersection(document, lane, flag)),
     insertLaneBeside: (lane, side, width) =>

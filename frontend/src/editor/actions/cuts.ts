@@ -60,6 +60,8 @@ export function planJoin(base: MapDocument, document: MapDocument, id: number): 
   const pairs = [onlyLink(document, lane, "after"), onlyLink(document, lane, "before")].flatMap(
     (other, index): [Lane, Lane][] => (other === null ? [] : [index === 0 ? [lane, other] : [other, lane]]),
   );
+  // What was cut from it comes first, also where it cannot be joined yet: that is what is meant.
+  pairs.sort((a, b) => Number(areParts(base, ...b)) - Number(areParts(base, ...a)));
   const [first] = pairs;
   if (first === undefined) {
     return refuse(`Lane ${id} is in series with no lane: only what follows one another alone can be joined.`);
@@ -90,8 +92,7 @@ function onlyLink(document: MapDocument, lane: Lane, way: "before" | "after"): L
 /** Why two lanes in series stay two; null: they can be joined. */
 function hindrance(base: MapDocument, one: Lane, other: Lane): string | null {
   const names = `Lanes ${one.id} and ${other.id}`;
-  const imported = [one, other].some((lane) => base.lanes.has(lane.id));
-  if (imported || one.part_of !== other.part_of) {
+  if (!areParts(base, one, other)) {
     return `${names} are not parts of one cut lane: the imported map has two lanes there, so they stay two.`;
   }
   const differing = [
@@ -102,6 +103,11 @@ function hindrance(base: MapDocument, one: Lane, other: Lane): string | null {
   ].filter((word) => word !== false);
   if (differing.length === 0) return null;
   return `${names} differ in ${differing.join(", ")}: make that the same first, then join them.`;
+}
+
+/** Whether both are parts of one imported lane, or both drawn in this task. */
+function areParts(base: MapDocument, one: Lane, other: Lane): boolean {
+  return ![one, other].some(({ id }) => base.lanes.has(id)) && one.part_of === other.part_of;
 }
 
 /** The whole imported lane when these were its last two parts, else a lane under the first one's id. */
