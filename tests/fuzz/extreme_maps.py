@@ -8,7 +8,7 @@ from __future__ import annotations
 import dataclasses
 import resource
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from lanewright.core.canonical import canonicalise
@@ -161,6 +161,30 @@ def one_place() -> Pair:
     return base, _renumbered(base)
 
 
+def crowded() -> Pair:
+    """400 lanes on each other, without links; all of them moved by a metre at one end."""
+
+    def lanes(by: float) -> Iterator[LaneSegment]:
+        return (lane(key, (0.0, 0.0), (20.0, by)) for key in range(400))
+
+    return _state(lanes(0.0)), _state(lanes(1.0))
+
+
+def far_apart() -> Pair:
+    """400 lanes, each by itself, each under another id: as many updates, violations and fixes."""
+    spots = [(60.0 * (key % 20), 30.0 * (key // 20)) for key in range(400)]
+    base = _state(lane(key, (x, y), (x + 20, y)) for key, (x, y) in enumerate(spots))
+    return base, _renumbered(base)
+
+
+def tangled() -> Pair:
+    """A lane whose sides go to and fro 1,500 times across each other; one of them drawn the other way round."""
+    to_and_fro = tuple((0.01 * index, 100.0 * (index % 2), 0.0) for index in range(3_000))
+    across = tuple((100.0 * (index % 2), 0.01 * index, 0.0) for index in range(3_000))
+    base = _state([lane(1, (0.0, 0.0), (1.0, 0.0), left_boundary=to_and_fro, right_boundary=across)])
+    return base, _state([dataclasses.replace(base.lanes[1], right_boundary=across[::-1])])
+
+
 def cut_to_pieces() -> Pair:
     """One lane of 800 m becomes 400 in series."""
     base = _state([lane(1, (0.0, 0.0), (800.0, 0.0))])
@@ -199,6 +223,9 @@ EXTREMES: dict[str, Callable[[], Pair]] = {
         oncoming_on_each_other,
         all_dangling,
         one_place,
+        crowded,
+        far_apart,
+        tangled,
         cut_to_pieces,
         nothing_in_common,
     )

@@ -13,10 +13,14 @@ from typing import Any
 
 from lanewright.core.comparison import Comparison
 from lanewright.core.elements import Element, ElementKey, ElementKind, LaneSegment, Line, MapState, Point
+from lanewright.core.geometry import MOVED_M, distance_m
 
 _SIDES = ("left", "right")
 _PASSES = 4
 """Returning a point can bring another line below tolerance; each pass returns at least one more line."""
+
+_JOINT_M = 2 * MOVED_M
+"""The ends of a line that did not move are within this distance of where they were."""
 
 Place = tuple[float, float]
 
@@ -77,7 +81,8 @@ class _ReturningLines:
             plan = tuple(point[:2] for point in now)
             self._lines[plan] = was
             self._lines[plan[::-1]] = was[::-1]
-            self._places |= {now[end][:2]: was[end] for end in (0, -1)}
+            # A line drawn the other way round lies where it was, but its ends do not.
+            self._places |= {now[end][:2]: was[end] for end in (0, -1) if distance_m(now[end], was[end]) <= _JOINT_M}
 
     def lane(self, lane: LaneSegment) -> LaneSegment:
         """The lane with its returning lines, and its points at returning joints, put back."""
