@@ -76,10 +76,9 @@ class Departure:
         """The whole map at that revision."""
         if not self.written.versions and not self.removed:
             return base
-        gone = set(self.removed)
-        kept = [element for element in base.state if element.key not in gone and element.key not in self.written.state]
-        elements = sorted([*kept, *self.written.state], key=lambda element: element.key)
-        state = MapState.of(elements)
+        state = base.state.replaced(self.written.state, self.removed)
+        if any(list(ids) != sorted(ids) for ids in (state.lanes, state.crossings)):  # new ids that are not the largest
+            state = MapState.of(sorted(state, key=lambda element: element.key))
         versions = {**base.versions, **self.written.versions}
         hashes = {**base.hashes, **self.written.hashes}
         return StoredMap(
