@@ -85,6 +85,11 @@ class Drawing:
             self.work.press("Enter")
         expect(self.work.inspector).to_contain_text("inserted")
 
+    def wait_for_check(self) -> None:
+        """Until the list of changes, which is open, tells what the server says of the last edit."""
+        changes = self.page.get_by_role("tabpanel", name="Changes")
+        expect(changes.locator('[aria-busy="false"]')).to_have_count(1, timeout=30_000)
+
     def told_changes(self) -> list[tuple[str, list[str]]]:
         """Rows of the list of changes: lane id, and categories in words."""
         rows = self.page.get_by_role("complementary", name="Lists").get_by_role("button", name=re.compile("Lane "))

@@ -146,6 +146,7 @@ def test_a_figure_drawn_is_told_as_its_fixture_says(
     changes = {named(int(key), expected): value for key, value in expected["changes"].items()}
     inserted = [key for key in expected["changes"] if named(int(key), expected) == "new"]
     draw.work.tab("Changes").click()
+    draw.wait_for_check()
     rows = annotator.get_by_role("complementary", name="Lists").get_by_role("button", name=re.compile("Lane "))
     expect(rows).to_have_count(len(expected["changes"]), timeout=30_000)
     told = [(named(int(key), expected), tuple(words)) for key, words in draw.told_changes()]
