@@ -154,13 +154,13 @@ SAID = {
         annotated(ElementKind.LANE_SEGMENT, Category.DELETION, Category.MARKING, Category.GEOMETRY),
         "Lane segment 1 is annotated as deletion and as geometry, marking: an inserted or deleted element has no "
         "counterpart to differ from.",
-        None,
+        "Take the derived categories",
     ),
     "a foreign annotation of a crossing": (
         annotated(ElementKind.PEDESTRIAN_CROSSING, Category.INSERTION, Category.GEOMETRY),
         "Pedestrian crossing 1 is annotated as insertion and as geometry: an inserted or deleted element has no "
         "counterpart to differ from.",
-        None,
+        "Take the derived categories",
     ),
     "the id of a deleted lane": (
         reused(straight(9, 0, 60), straight(9, 200, 260)),

@@ -74,5 +74,5 @@ def findings(comparison: Comparison) -> tuple[Violation, ...]:
     standing = standing_violations(found, _RULE)
     # The canonical form is worked out only for updates in which nothing else is wrong: it gives way to all others.
     told = {ElementKey(one.kind, element) for one in standing if not one.inherited for element in one.elements}
-    standing += identity_not_canonical.find_beside(comparison, told)
+    standing += identity_not_canonical.find(comparison, told)
     return tuple(sorted(standing, key=lambda violation: violation.id))

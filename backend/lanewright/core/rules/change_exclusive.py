@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterator
 
 from lanewright.core.changes import Category
 from lanewright.core.comparison import Comparison
+from lanewright.core.diff import diff_of
+from lanewright.core.elements import ElementKey
 from lanewright.core.rules.rule import Remedy, Rule
 from lanewright.core.violations import Severity, Violation
 
@@ -29,9 +32,14 @@ def find(comparison: Comparison) -> Iterator[Violation]:
             )
 
 
-def remedies(comparison: Comparison, _violation: Violation) -> Iterator[Remedy]:
-    """The map is right; the annotated categories give way to the derived ones."""
-    yield Remedy("Take the categories that the two maps show", comparison.edited)
+def remedies(comparison: Comparison, violation: Violation) -> Iterator[Remedy]:
+    """The map is right; what is annotated of the element gives way to what is derived."""
+    (element,) = violation.elements
+    key = ElementKey(violation.kind, element)
+    kept = tuple(change for change in comparison.claims.annotated if change.key != key)
+    derived = tuple(change for change in diff_of(comparison).changes if change.key == key)
+    claims = dataclasses.replace(comparison.claims, annotated=kept + derived)
+    yield Remedy("Take the derived categories", comparison.edited, claims)
 
 
 RULE = Rule(

@@ -16,13 +16,9 @@ from lanewright.core.wording import crossings_named, lanes_named, listed
 CODE = "identity.not_canonical"
 
 
-def find(comparison: Comparison) -> Iterator[Violation]:
-    """Notes for every structural update whose ids are not the canonical ones."""
-    return find_beside(comparison, frozenset())
-
-
-def find_beside(comparison: Comparison, told: Collection[ElementKey]) -> Iterator[Violation]:
-    """The same, leaving out updates in which these elements are told of already.
+def find(comparison: Comparison, told: Collection[ElementKey] = ()) -> Iterator[Violation]:
+    """Notes for every structural update whose ids are not the canonical ones, and in which nothing else is wrong
+    (``told``: the elements of the violations found already).
 
     Only an update in which something came, something went and something else moved as a whole can have several
     legal assignments.

@@ -88,11 +88,18 @@ def _inherited(comparison: Comparison, link: Link, side: str) -> bool:
 
 def remedies(comparison: Comparison, violation: Violation) -> Iterator[Remedy]:
     """Move the end that was edited back onto the other, else the other; else put an edited lane back where it was;
-    else take the link out."""
+    else take the link out. Ends that never met and lie further apart than a lane is wide are not moved at first: there
+    the link is what is wrong."""
     one, other = violation.elements[0], violation.elements[-1]
     linked = other in comparison.edited_graph.successors[one]
     upstream, downstream = (one, other) if linked else (other, one)
     base, edited = comparison.base.lanes, comparison.edited.lanes
+    unlinked = Remedy(
+        f"Take out the link from lane {upstream} to lane {downstream}",
+        comparison.edited.replaced(without_link(edited, (upstream, downstream))),
+    )
+    if _is_beside(comparison, (upstream, downstream)):
+        yield unlinked
     edits_downstream = base.get(downstream) != edited[downstream] or base.get(upstream) == edited[upstream]
     for moving in (downstream, upstream) if edits_downstream else (upstream, downstream):
         still = upstream if moving == downstream else downstream
@@ -103,10 +110,20 @@ def remedies(comparison: Comparison, violation: Violation) -> Iterator[Remedy]:
             lines: dict[str, Any] = {side: getattr(base[moved], side) for side in _SIDES}
             restored = comparison.edited.replaced([dataclasses.replace(edited[moved], **lines)])
             yield Remedy(f"Put lane {moved} back where it was", restored)
-    yield Remedy(
-        f"Take out the link from lane {upstream} to lane {downstream}",
-        comparison.edited.replaced(without_link(edited, (upstream, downstream))),
+    yield unlinked
+
+
+def _is_beside(comparison: Comparison, link: Link) -> bool:
+    """Whether the linked ends lie at least a lane's width apart and do not meet in the base."""
+    base, edited = comparison.base.lanes, comparison.edited.lanes
+    upstream, downstream = (edited[lane] for lane in link)
+    if all(lane in base for lane in link) and _meets(*(base[lane] for lane in link)):
+        return False
+    widths = (
+        math.dist(lane.left_boundary[end][:2], lane.right_boundary[end][:2])
+        for lane, end in ((upstream, -1), (downstream, 0))
     )
+    return max(_gap_m(upstream, downstream, side) for side in _SIDES) > min(widths) - WIDEST_M
 
 
 def _moved_onto(state: MapState, moving: int, still: int, end: int) -> MapState:
@@ -141,6 +158,7 @@ RULE = Rule(
     remedies=remedies,
     what="A lane leads to another, but the end of the one and the start of the other are more than 1 cm apart.",
     why="In real maps linked lanes meet exactly. A gap would show up as a change of shape that nobody made (A1, B).",
-    mend="Move the end back onto the other lane, or remove the link. The fix moves the end that was edited.",
+    mend="Move the end back onto the other lane, or remove the link. The fix moves the end that was edited, "
+    "or takes the link out where the ends lie a lane's width or more apart.",
     gives_way_to=("replacement.", "identity.", "insertion.", "deletion."),
 )

@@ -39,7 +39,7 @@ def find(comparison: Comparison) -> Iterator[Violation]:
             CODE,
             Severity.ERROR,
             ElementKind.LANE_SEGMENT,
-            tuple(sorted((upstream, downstream))),
+            tuple(sorted({upstream, downstream})),
             f"Lane {upstream} leads to lane {downstream}, but only lane {says} says so: name it in lane {silent} too.",
         )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterator
 
 from lanewright.core.changes import Macros, StructuralUpdate
@@ -70,7 +71,8 @@ def remedies(comparison: Comparison, _violation: Violation) -> Iterator[Remedy]:
             continue
         fits = declared.macros == update.macros
         derived[declared if fits else DeclaredMacros(update.elements, update.macros)] = None
-    yield Remedy("Declare the derived macros", comparison.edited, tuple(derived))
+    claims = dataclasses.replace(comparison.claims, declared=tuple(derived))
+    yield Remedy("Declare the derived macros", comparison.edited, claims)
 
 
 RULE = Rule(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from lanewright.core.claims import DeclaredMacros
+from lanewright.core.claims import Claims
 from lanewright.core.comparison import Comparison
 from lanewright.core.elements import MapState
 from lanewright.core.violations import Violation
@@ -13,11 +13,11 @@ from lanewright.core.violations import Violation
 
 @dataclass(frozen=True, slots=True)
 class Remedy:
-    """A map that mends a violation; or declarations that do, all of them (None: as they are)."""
+    """A map that mends a violation; or claims that do, all of them (None: as they are)."""
 
     title: str
     edited: MapState
-    declared: tuple[DeclaredMacros, ...] | None = None
+    claims: Claims | None = None
 
 
 @dataclass(frozen=True, slots=True)

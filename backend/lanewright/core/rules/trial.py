@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
@@ -50,15 +49,21 @@ class FixTrial:
         for remedy in self._rules[violation.code].remedies(self._comparison, violation):
             if self._exhausted and id(remedy) not in self._judged:
                 edits = edits_between(self._comparison.edited, remedy.edited)
-                return second or (Fix(remedy.title, edits, remedy.declared),)
+                return second or (self._fix(remedy, edits),)
             verdict = self._judge(remedy)
             if any(other.id == violation.id for other in verdict.left):
                 continue
-            fix = Fix(verdict.remedy.title, verdict.edits, verdict.remedy.declared)
+            fix = self._fix(verdict.remedy, verdict.edits)
             if not self._added(verdict.left):
                 return (fix,)
             second = second or (fix,)
         return second
+
+    def _fix(self, remedy: Remedy, edits: tuple[Edit, ...]) -> Fix:
+        declared = self._comparison.claims.declared
+        if remedy.claims is None or remedy.claims.declared == declared:
+            return Fix(remedy.title, edits)
+        return Fix(remedy.title, edits, remedy.claims.declared)
 
     def _added(self, left: tuple[Violation, ...]) -> list[Violation]:
         return [violation for violation in left if not violation.inherited and violation.id not in self._known]
@@ -85,18 +90,15 @@ class FixTrial:
         return left
 
     def _after(self, remedy: Remedy) -> Comparison:
-        claims = self._comparison.claims
-        if remedy.declared is not None:
-            claims = dataclasses.replace(claims, declared=remedy.declared)
-        return Comparison(self._comparison.base, remedy.edited, claims)
+        return Comparison(self._comparison.base, remedy.edited, remedy.claims or self._comparison.claims)
 
     def _completed(self, remedy: Remedy, left: tuple[Violation, ...]) -> tuple[Remedy, tuple[Violation, ...]]:
         """A remedy together with those of what it lays bare, as far as each leaves less to do than before."""
         while (added := self._added(left)) and not self._exhausted:
             comparison = self._after(remedy)
             for further in self._rules[added[0].code].remedies(comparison, added[0]):
-                if further.declared is not None:
-                    continue  # what somebody declares is not changed along with their map
+                if further.claims is not None:
+                    continue  # what somebody says of it is not changed along with their map
                 if self._exhausted:
                     break
                 after = self._left_after(further)
