@@ -169,7 +169,7 @@ function arrowLayer(group: Group): LayerSpecification {
     id: `arrows-${group}`,
     type: "symbol",
     source: "arrows",
-    minzoom: 15.5,
+    minzoom: 17, // closer, opposite lanes have room for an arrow each
     // Junctions get theirs only when there is room for them.
     filter: [
       "all",

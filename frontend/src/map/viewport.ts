@@ -67,19 +67,26 @@ export class Viewport {
     return [a, b, c, d, p.x - a * origin.x - c * origin.y, p.y - b * origin.x - d * origin.y];
   }
 
+  /** CSS pixels of the map that lie under a panel at its right, as the page's styles say. */
+  #coveredRight(): number {
+    const covered = getComputedStyle(this.#map.getContainer()).getPropertyValue("--covered-right");
+    return Number.parseFloat(covered) || 0;
+  }
+
   /** Shows a box of places, with room for what floats over the map. */
   fit(places: readonly Place[], options: { animate: boolean; closest?: number; padding?: number }): void {
     const positions: LngLat[] = places.map((place) => this.#projection.toLngLat(place));
     if (positions.length === 0) return;
     const longitudes = positions.map(([longitude]) => longitude);
     const latitudes = positions.map(([, latitude]) => latitude);
+    const padding = options.padding ?? 48;
     this.#map.fitBounds(
       [
         [Math.min(...longitudes), Math.min(...latitudes)],
         [Math.max(...longitudes), Math.max(...latitudes)],
       ],
       {
-        padding: options.padding ?? 48,
+        padding: { top: padding, bottom: padding, left: padding, right: padding + this.#coveredRight() },
         maxZoom: options.closest ?? 21,
         duration: options.animate ? 350 : 0,
       },

@@ -17,6 +17,17 @@ test("a lane drawn between two others counts once, though their links follow", (
   ).toBe(1);
 });
 
+test("a lane that is cut counts once", () => {
+  expect(
+    countEdits([
+      { operation: "delete", kind: "lane_segment", id: 1, attributes: {} },
+      { operation: "delete", kind: "pedestrian_crossing", id: 1, attributes: {} },
+      { operation: "insert", kind: "lane_segment", id: 7, attributes: { part_of: 1 } },
+      { operation: "insert", kind: "lane_segment", id: 8, attributes: { part_of: 1 } },
+    ]),
+  ).toBe(2);
+});
+
 test("links alone are still something to save", () => {
   expect(
     countEdits([{ operation: "update", kind: "lane_segment", id: 1, attributes: { successors: [] } }]),

@@ -45,12 +45,22 @@ export interface WorkState {
 
 const FOLLOWS = new Set(["successors", "predecessors", "left_neighbor_id", "right_neighbor_id"]);
 
-/** How many elements an annotator would say were edited: those whose links alone follow another's edit do not count. */
-export const countEdits = (edits: readonly Edit[]): number =>
-  edits.filter(
-    ({ operation, attributes }) =>
-      operation !== "update" || Object.keys(attributes).some((name) => !FOLLOWS.has(name)),
-  ).length || edits.length;
+/** The lane that an edit makes a part of. */
+const wholeOf = ({ operation, attributes }: Edit) =>
+  operation === "insert" && typeof attributes.part_of === "number" ? attributes.part_of : null;
+
+/**
+ * How many elements an annotator would say were edited: those whose links alone follow another's edit do not count, and
+ * a lane that is cut counts once.
+ */
+export function countEdits(edits: readonly Edit[]): number {
+  const cut = new Set(edits.map(wholeOf).filter((whole) => whole !== null));
+  const others = edits.filter((edit) => {
+    if (edit.operation === "update") return Object.keys(edit.attributes).some((name) => !FOLLOWS.has(name));
+    return wholeOf(edit) === null && !(edit.kind === "lane_segment" && cut.has(edit.id));
+  });
+  return others.length + cut.size || edits.length;
+}
 
 /** The same with what is declared otherwise than in the saved revision, which counts as one. */
 export const countChanges = ({ edits, declarations }: DraftContent): number =>
