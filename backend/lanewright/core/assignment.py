@@ -19,7 +19,7 @@ from lanewright.core.elements import ElementKey, ElementKind, LaneSegment, Line,
 from lanewright.core.identity import renamed, with_lanes_exchanged
 from lanewright.core.matching import same_crossings, same_lanes
 from lanewright.core.series import Run
-from lanewright.core.survey import Survey, ids_named
+from lanewright.core.survey import largest_id_named
 
 
 class Assignment:
@@ -64,7 +64,7 @@ class Assignment:
             inside = [element for element in map(edited.get, scope) if element is not None]
             lanes = [element for element in inside if isinstance(element, LaneSegment)]
             crossings = [element for element in inside if isinstance(element, PedestrianCrossing)]
-        tokens = count(1 + max((0, *Survey(base).fact(ids_named), *Survey(edited).fact(ids_named))))
+        tokens = count(1 + largest_id_named(base, edited))
         own_lanes = {next(tokens): lane.id for lane in sorted(lanes, key=_position)}
         own_crossings = {next(tokens): crossing.id for crossing in sorted(crossings, key=_crossing_position)}
         lane_tokens = {own: token for token, own in own_lanes.items()}

@@ -13,7 +13,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from lanewright.core.assignment import Assignment, other_than_itself
-from lanewright.core.comparison import Comparison
+from lanewright.core.comparison import Comparison, lane_key
 from lanewright.core.elements import ElementKey, ElementKind, MapState
 from lanewright.core.identity import fresh_ids, renamed
 from lanewright.core.settlement import settle
@@ -53,12 +53,13 @@ def canonical_form(base: MapState, edited: MapState, scope: Collection[ElementKe
 
 def canonical_update(comparison: Comparison, update: Collection[ElementKey]) -> Canonical:
     """The edited map with one structural update in its canonical form. No other update touches it, so it is settled as
-    if it were the only one."""
+    if it were the only one; lanes linked to what came or went are looked at along with it, since one of them may be
+    the one to replace."""
     base, edited = comparison.base, comparison.edited
     others = comparison.changed_keys.difference(update)
     back = [element for element in map(base.get, others) if element is not None]
     alone = edited.replaced(back, [key for key in others if key not in base])
-    assignment = Assignment.start(base, alone, update)
+    assignment = Assignment.start(base, alone, {*update, *_linked(comparison, update)})
     settle(assignment)
     form = _named(assignment, alone, fresh_ids((base, edited)))
     if form.edited is alone:
@@ -67,6 +68,17 @@ def canonical_update(comparison: Comparison, update: Collection[ElementKey]) -> 
     put_in = [element for element in settled.values() if element is not None]
     merged = edited.replaced(put_in, [key for key, element in settled.items() if element is None])
     return dataclasses.replace(form, edited=merged)
+
+
+def _linked(comparison: Comparison, update: Collection[ElementKey]) -> Iterator[ElementKey]:
+    """The lanes linked to those of an update that came or went."""
+    for graph, other in (
+        (comparison.base_graph, comparison.edited_graph),
+        (comparison.edited_graph, comparison.base_graph),
+    ):
+        for kind, key in update:
+            if kind is ElementKind.LANE_SEGMENT and key in graph.lanes and key not in other.lanes:
+                yield from map(lane_key, (*graph.successors[key], *graph.predecessors[key]))
 
 
 def _named(assignment: Assignment, original: MapState, fresh: Iterator[int]) -> Canonical:

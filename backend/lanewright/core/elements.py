@@ -127,7 +127,6 @@ class MapState:
     crossings: MappingProxyType[int, PedestrianCrossing] = field(default_factory=lambda: MappingProxyType({}))
     facts: dict[Any, Any] = field(default_factory=dict, init=False, repr=False, compare=False)
     _origin: tuple[MapState, frozenset[ElementKey]] | None = field(default=None, repr=False, compare=False)
-    """The state that this one was made from by edits, and all keys that were edited since."""
 
     @classmethod
     def of(cls, elements: Iterable[Element]) -> MapState:
@@ -172,16 +171,21 @@ class MapState:
                 lanes[element.id] = element
             else:
                 crossings[element.id] = element
-        origin, before = self._origin or (self, frozenset())
+        origin, before = self.origin
         return MapState(MappingProxyType(lanes), MappingProxyType(crossings), (origin, before | edited))
+
+    @property
+    def origin(self) -> tuple[MapState, frozenset[ElementKey]]:
+        """The state that this one was made from by edits (it may be itself), and all keys that were edited since."""
+        return self._origin or (self, frozenset())
 
     def apart(self, other: MapState) -> set[ElementKey]:
         """Keys of the elements that are not one and the same object in both states.
 
         Costs by what was edited where one state was made from the other, or both from a third.
         """
-        origin, mine = self._origin or (self, frozenset())
-        others_origin, theirs = other._origin or (other, frozenset())
+        origin, mine = self.origin
+        others_origin, theirs = other.origin
         keys: Iterable[ElementKey] = mine | theirs
         if origin is not others_origin:
             lanes, crossings = self.lanes.keys() | other.lanes.keys(), self.crossings.keys() | other.crossings.keys()

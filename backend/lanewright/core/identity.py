@@ -30,12 +30,14 @@ def renamed(state: MapState, lanes: Mapping[int, int], crossings: Mapping[int, i
 
 
 def _having_or_naming(state: MapState, ids: Collection[int]) -> list[int]:
-    """The lanes that have one of the ids or name it, ascending."""
+    """The lanes that have one of the ids or name it, ascending; among them may be some that once did."""
     if not ids:
         return []
-    references = Survey(state).references
-    found = {key for key in ids if key in state.lanes}.union(*(references.get(key, ()) for key in ids))
-    return sorted(found)
+    origin, edited = state.origin
+    references = Survey(origin).references
+    found = set(ids).union(*(references.get(key, ()) for key in ids))
+    found.update(key.id for key in edited if key.kind is ElementKind.LANE_SEGMENT)
+    return sorted(key for key in found if key in state.lanes)
 
 
 def _renamed_lane(lane: LaneSegment, ids: Mapping[int, int]) -> LaneSegment:

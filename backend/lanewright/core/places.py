@@ -30,14 +30,14 @@ FAR_M = 3.0
 
 def coinciding_runs(comparison: Comparison) -> list[tuple[Chain, Chain]]:
     """Contiguous parts of a deleted and an inserted chain whose starts and ends coincide; only the largest."""
-    return _runs(comparison, coinciding_ends)
+    return paired_runs(comparison, coinciding_ends)
 
 
 def same_runs(comparison: Comparison) -> list[tuple[Chain, Chain]]:
     """Contiguous parts of a deleted and an inserted chain that lie on the same lines, however they are cut."""
     return [
         (deleted, inserted)
-        for deleted, inserted in _runs(comparison, _same_corners)
+        for deleted, inserted in paired_runs(comparison, _same_corners)
         if _unmoved(comparison, deleted, inserted)
     ]
 
@@ -67,7 +67,7 @@ def _corners(lane: LaneSegment, end: int) -> tuple[Point, Point]:
     return left, right
 
 
-def _runs(
+def paired_runs(
     comparison: Comparison, ends: Callable[[Comparison, int], list[tuple[int, int]]]
 ) -> list[tuple[Chain, Chain]]:
     """The largest parts of a deleted and an inserted chain whose starts and finishes ``ends`` pairs up."""

@@ -11,6 +11,7 @@ from lanewright.core.comparison import Comparison, crossing_key
 from lanewright.core.elements import LaneSegment, MapState
 from lanewright.core.geometry import overlap, readable_element
 from lanewright.core.identity import joinable
+from lanewright.core.loose_ends import lengthened_runs
 from lanewright.core.places import (
     coinciding_runs,
     displaced_crossings,
@@ -76,20 +77,23 @@ def _uncross(assignment: Assignment, comparison: Comparison) -> bool:
 
 def _match_places(assignment: Assignment, comparison: Comparison) -> bool:
     """Runs that took the place of a deleted chain, and turns that kept their function, take the old ids: turns together
-    with what is in series with them inside the intersection, else by themselves."""
+    with what is in series with them inside the intersection, else by themselves. So do lanes that were lengthened or
+    shortened where nothing joins them."""
     lanes = (((was,), (now,)) for was, now in preserved_lanes(comparison))
     return (
         _match(assignment, comparison, coinciding_runs(comparison))
         or _match(assignment, comparison, preserved_turns(comparison), cut=False)
         or _match(assignment, comparison, lanes)
+        or _match(assignment, comparison, lengthened_runs(comparison), cut=False)
     )
 
 
 def _match(
     assignment: Assignment, comparison: Comparison, pairs: Iterable[tuple[Chain, Chain]], *, cut: bool = True
 ) -> bool:
-    """Match pairs of runs, no lane twice: first those that save the most insertions and deletions, then by the fewest
-    categories, the least displacement, the smallest ids. Whether there were any.
+    """Match pairs of runs, no lane twice: first those for which no lane is cut, then those that save the most
+    insertions and deletions (joinable lanes would be inserted as one), then by the fewest categories, the least
+    displacement, the smallest ids. Whether there were any.
 
     ``cut``: also where base lanes must be cut for it.
     """
@@ -107,8 +111,8 @@ def _match(
         if alignment.parts and not cut:
             continue
         cost = (
-            -len(deleted) - len(inserted),
             alignment.parts,
+            -len(deleted) - sum(not joinable(one, other) for one, other in pairwise(now)),
             alignment.categories,
             round(alignment.displacement_m, 6),
             *deleted,

@@ -5,10 +5,11 @@ A task's base is compared with many edited maps. Facts about it are remembered w
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
+from itertools import chain
 from typing import TypeVar
 
-from lanewright.core.elements import LaneSegment, MapState
+from lanewright.core.elements import Element, LaneSegment, MapState
 from lanewright.core.linework import Linework
 from lanewright.core.roadgraph import RoadGraph
 
@@ -72,6 +73,17 @@ def _references(state: MapState) -> dict[int, tuple[int, ...]]:
 def ids_named(state: MapState) -> frozenset[int]:
     """All ids that elements have or name."""
     return frozenset(state.lanes).union(state.crossings, *map(named_by, state.lanes.values()))
+
+
+def largest_id_named(base: MapState, edited: MapState) -> int:
+    """No element of either map has or names an id above this one."""
+    apart = [element for element in map(edited.get, edited.apart(base)) if element is not None]
+    return max(Survey(base).fact(_largest_id), _largest_id(apart))
+
+
+def _largest_id(elements: Collection[Element] | MapState) -> int:
+    named = (named_by(element) for element in elements if isinstance(element, LaneSegment))
+    return max((0, *(element.id for element in elements), *chain.from_iterable(named)))
 
 
 def parts_recorded(state: MapState) -> dict[int, list[int]]:

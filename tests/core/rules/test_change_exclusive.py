@@ -34,3 +34,11 @@ def test_broken_each_annotated_change_is_told():
     ]
     found = check(street(), street(), Claims(annotated=tuple(changes)))
     assert [one.elements for one in found] == [(1,), (100,), (200,)]
+
+
+def test_broken_the_fix_takes_the_derived_categories_and_leaves_the_map_alone():
+    change = AtomicChange(ElementKind.LANE_SEGMENT, 1, (Category.INSERTION, Category.TYPE), (), None, None)
+    (violation,) = check(street(), street(), Claims(annotated=(change,)))
+    assert [(fix.title, fix.edits, fix.declared) for fix in violation.fixes] == [
+        ("Take the derived categories", (), None)
+    ]

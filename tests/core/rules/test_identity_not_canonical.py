@@ -79,3 +79,17 @@ def test_edge_a_crossing_beside_the_lanes_is_named_in_words_only():
     (violation,) = check(base, edited)
     assert (violation.kind, violation.elements) == (ElementKind.LANE_SEGMENT, (1, 2, 9))
     assert violation.message.startswith("The ids of lanes 1, 2 and 9 and crossing 5 are legal")
+
+
+def test_clean_a_story_shorter_than_the_one_that_the_save_knows_stands():
+    #  ── 2 ──                  (2 moved by 5 m, 1 by 1 m; no other lane is near the old place of 2)
+    #  ── 1 ──
+    edited = world(straight(1, 0, 60, 1, 4.5), straight(2, 0, 60, 10, 13.5))
+    assert len(diff(BASE, edited).changes) < len(diff(BASE, canonicalise(BASE, edited)).changes)
+    assert introduced(BASE, edited) == []
+
+
+def test_clean_new_lanes_in_series_that_differ_stay_two():
+    new = straight(8, 0, 30, 20, 23.5, successors=(9,))
+    turn = straight(9, 30, 60, 20, 23.5, predecessors=(8,), is_intersection=True)
+    assert introduced(BASE, world(*BASE, new, turn)) == []

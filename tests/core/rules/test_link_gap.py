@@ -147,6 +147,23 @@ def test_broken_the_last_of_several_points_is_moved():
     assert [edit.id for edit in violation.fixes[0].edits] == [100]
 
 
+def test_broken_ends_side_by_side_are_not_pinched_together():
+    case = scenario("joint_link_removed")
+    (gap,) = [one for one in check(case.base, case.edited) if one.code == CODE]
+    assert gap.fixes[0].title.startswith("Take out the link from lane 2 to lane 3")
+    after = apply_edits(case.edited, gap.fixes[0].edits)
+    assert introduced(case.base, after) == []
+    assert {lane.left_boundary for lane in after.lanes.values()} == {
+        lane.left_boundary for lane in case.edited.lanes.values()
+    }
+
+
+def test_broken_an_end_dragged_off_further_than_a_lane_is_wide_goes_back():
+    violation, after = gapping(street(), 1, left_boundary=line("25,3.5 60,3.5"), right_boundary=line("25,0 60,0"))
+    assert violation.fixes[0].title == "Move the end of lane 1 onto lane 100"
+    assert after == street()
+
+
 @pytest.mark.parametrize("elsewhere", [{}, {"successors": (5,)}])
 def test_broken_where_no_end_can_be_moved_the_link_goes(elsewhere):
     #  9 ──   100 ── 1 ── 200, and 200 leads to 9, far behind it: stretched there, either lane would lie on its back

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 from tests.core.findings import introduced, mended, only
 from tests.core.worlds import lane, straight, street, world
@@ -12,11 +13,13 @@ from lanewright.core.rules import check
 from lanewright.core.rules.link_one_sided import with_links_completed
 
 CODE = "link.one_sided"
+TURN: dict[str, Any] = {"is_intersection": True}
+"""Of new lanes in series, so that they are not one lane."""
 
 
 def test_clean_in_a_map_that_is_one_sided_anyway():
     base = world(straight(1, 0, 20, successors=(2,)), straight(2, 20, 40))
-    edited = world(*base, straight(3, 0, 20, 20, 23.5, successors=(4,)), straight(4, 20, 40, 20, 23.5))
+    edited = world(*base, straight(3, 0, 20, 20, 23.5, successors=(4,)), straight(4, 20, 40, 20, 23.5, **TURN))
     assert introduced(base, edited) == []
 
 
@@ -49,7 +52,7 @@ def test_broken_either_side_may_be_the_silent_one():
 def test_broken_a_new_lane_that_its_neighbours_in_series_do_not_name():
     #  200 ── 9, and only 9 says so; 9 ── 10, and only 9 says so
     base = street()
-    new = [straight(9, 80, 90, predecessors=(200,), successors=(10,)), straight(10, 90, 99, successors=())]
+    new = [straight(9, 80, 90, predecessors=(200,), successors=(10,)), straight(10, 90, 99, **TURN)]
     edited = base.replaced(new)
     assert introduced(base, edited) == [(CODE, (9, 10)), (CODE, (9, 200))]
     after = apply_edits(edited, check(base, edited)[0].fixes[0].edits)
@@ -75,7 +78,7 @@ def test_edge_a_lane_that_leads_into_itself_counts_too():
     base = street()
     ring = lane(9, "2,50 0,52 -2,50 0,48 2,50", "6,50 0,56 -6,50 0,44 6,50", successors=(9,))
     edited = base.replaced([ring])
-    assert [code for code, _ in introduced(base, edited)] == [CODE]
+    assert introduced(base, edited) == [(CODE, (9,))]
     assert with_links_completed(base, edited).lanes[9].predecessors == (9,)
 
 

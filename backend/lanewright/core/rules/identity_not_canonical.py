@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from lanewright.core.canonical import canonical_update
+from lanewright.core.canonical import Canonical, canonical_update
+from lanewright.core.changes import Category
 from lanewright.core.comparison import Comparison
+from lanewright.core.diff import diff_of
 from lanewright.core.elements import ElementKey, ElementKind
+from lanewright.core.geometry import lines_of
 from lanewright.core.macros import update_groups
 from lanewright.core.rules.remedy import identity_remedies
 from lanewright.core.rules.rule import Rule
@@ -14,48 +17,59 @@ from lanewright.core.violations import Severity, Violation
 from lanewright.core.wording import crossings_named, lanes_named, listed
 
 CODE = "identity.not_canonical"
+_WHOLE = frozenset({Category.INSERTION, Category.DELETION})
 
 
 def find(comparison: Comparison, told: Collection[ElementKey] = ()) -> Iterator[Violation]:
     """Notes for every structural update whose ids are not the canonical ones, and in which nothing else is wrong
-    (``told``: the elements of the violations found already).
-
-    Only an update in which something came, something went and something else moved as a whole can have several
-    legal assignments.
-    """
-    if not _came_and_went(comparison):
-        return
+    (``told``: the elements of the violations found already)."""
     for group in update_groups(comparison):
         if (
             not any(key in told for key in group)
             and _ambiguous(comparison, group)
-            and canonical_update(comparison, group).edited is not comparison.edited
+            and _is_told_better(comparison, canonical_update(comparison, group))
         ):
             yield _violation(group)
 
 
-def _came_and_went(comparison: Comparison) -> bool:
-    return bool(comparison.deleted_lanes and comparison.inserted_lanes) or bool(
-        comparison.deleted_crossings and comparison.inserted_crossings
-    )
+def _is_told_better(comparison: Comparison, canonical: Canonical) -> bool:
+    """Whether the canonical form is another story, and no longer one: the steps to it look at what is near, so that
+    what an annotator drew may be the shorter one, and then it stands."""
+    if canonical.edited is comparison.edited:
+        return False
+    return _length(Comparison(comparison.base, canonical.edited)) <= _length(comparison)
+
+
+def _length(comparison: Comparison) -> tuple[int, int]:
+    """Insertions and deletions, then categories of change."""
+    changes = diff_of(comparison).changes
+    whole = sum(not _WHOLE.isdisjoint(change.categories) for change in changes)
+    return whole, sum(len(change.categories) for change in changes)
 
 
 def _ambiguous(comparison: Comparison, group: Collection[ElementKey]) -> bool:
-    """Whether something came, something went, and something else moved as a whole: it may stand in another's place."""
-    return any(
-        any(key.kind is kind and key in comparison.base and key not in comparison.edited for key in group)
-        and any(key.kind is kind and key in comparison.edited and key not in comparison.base for key in group)
-        and any(key.kind is kind and _moved_as_a_whole(comparison, key) for key in group)
-        for kind in ElementKind
-    )
+    """Whether one element may stand in another's place: two of a kind came, went or moved, or lie on each other."""
+    for kind in ElementKind:
+        keys = [key for key in group if key.kind is kind]
+        anew = [key for key in keys if key not in comparison.base or _moved(comparison, key)]
+        gone = [key for key in keys if key not in comparison.edited]
+        if (anew and len(anew) + len(gone) > 1) or _crowded(comparison, keys):
+            return True
+    return False
 
 
-def _moved_as_a_whole(comparison: Comparison, key: ElementKey) -> bool:
-    if key not in comparison.base or key not in comparison.edited:
+def _moved(comparison: Comparison, key: ElementKey) -> bool:
+    if key not in comparison.edited:
         return False
     if key.kind is ElementKind.LANE_SEGMENT:
-        return all(comparison.moved_sides(key.id))
+        return any(comparison.moved_sides(key.id))
     return comparison.crossing_moved(key.id)
+
+
+def _crowded(comparison: Comparison, keys: Collection[ElementKey]) -> bool:
+    """Whether two elements have the very same lines."""
+    lines = [lines_of(element) for element in map(comparison.edited.get, keys) if element is not None]
+    return len(set(lines)) < len(lines)
 
 
 def _violation(group: tuple[ElementKey, ...]) -> Violation:

@@ -1,0 +1,64 @@
+"""Lanes that were lengthened or shortened where nothing joins them: still the same place (spec §2, §6)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+import shapely
+
+from lanewright.core.comparison import COINCIDENT_M, Comparison, lane_key
+from lanewright.core.geometry import centreline, readable_element
+from lanewright.core.places import coinciding_ends, paired_runs
+from lanewright.core.roadgraph import FINISH, Chain, RoadGraph
+
+_MOST_PAIRED = 20
+"""Chains that are looked at for each loose end."""
+
+
+def lengthened_runs(comparison: Comparison) -> list[tuple[Chain, Chain]]:
+    """Parts of a deleted and an inserted chain in one direction whose ends coincide, or are loose in both maps while
+    one chain reaches beyond the end of the other.
+
+    The rules allow such a replacement (spec §5: free ends coincide within 3 m only), but a change of shape is the
+    shorter story.
+    """
+    return [pair for pair in paired_runs(comparison, _ends) if _same_direction(comparison, *pair)]
+
+
+def _ends(comparison: Comparison, end: int) -> list[tuple[int, int]]:
+    old = _Loose(comparison, comparison.base_graph, comparison.deleted_lanes, end, edited=False)
+    new = _Loose(comparison, comparison.edited_graph, comparison.inserted_lanes, end, edited=True)
+    beyond = {(was, now) for now, was in old.reaching_to(new)}.union(new.reaching_to(old))
+    return sorted(beyond.union(coinciding_ends(comparison, end)))
+
+
+class _Loose:
+    """Chains of the deleted (inserted) lanes whose start (finish) nothing joins."""
+
+    def __init__(self, comparison: Comparison, graph: RoadGraph, lanes: Collection[int], end: int, *, edited: bool):
+        chains = [
+            chain
+            for chain in graph.chains(lanes)
+            if all(readable_element(graph.lanes[lane]) for lane in chain)
+            and not graph.meets((chain[-1 if end == FINISH else 0], end))
+        ]
+        self.lanes = [chain[-1 if end == FINISH else 0] for chain in chains]
+        self.places = [graph.location((lane, end)) for lane in self.lanes]
+        self._owners = [owner for owner, chain in zip(self.lanes, chains, strict=True) for _ in chain]
+        shapes = [comparison.shape(lane_key(lane), edited=edited) for chain in chains for lane in chain]
+        self._tree = shapely.STRtree(shapes)
+
+    def reaching_to(self, other: _Loose) -> Iterator[tuple[int, int]]:
+        """The other's lanes whose loose end lies on one of these chains, each with that chain's lane."""
+        for lane, (x, y, _) in zip(other.lanes, other.places, strict=True):
+            near = self._tree.query(shapely.Point(x, y), predicate="dwithin", distance=COINCIDENT_M)
+            yield from ((lane, self._owners[index]) for index in sorted(near.tolist())[:_MOST_PAIRED])
+
+
+def _same_direction(comparison: Comparison, deleted: Chain, inserted: Chain) -> bool:
+    was = [comparison.base.lanes[lane] for lane in (deleted[0], deleted[-1])]
+    now = [comparison.edited.lanes[lane] for lane in (inserted[0], inserted[-1])]
+    if not all(map(readable_element, (*was, *now))):
+        return False
+    (dx, dy), (ex, ey) = (centreline(last)[-1] - centreline(first)[0] for first, last in (was, now))
+    return bool(dx * ex + dy * ey > 0)
