@@ -6,7 +6,8 @@ from collections.abc import Collection, Iterator
 
 from lanewright.core.canonical import Canonical, canonical_update
 from lanewright.core.changes import Category
-from lanewright.core.comparison import Comparison
+from lanewright.core.comparison import Comparison, same_crossing
+from lanewright.core.crossing_areas import CrossingAreas
 from lanewright.core.diff import diff_of
 from lanewright.core.elements import ElementKey, ElementKind
 from lanewright.core.geometry import lines_of
@@ -48,14 +49,39 @@ def _length(comparison: Comparison) -> tuple[int, int]:
 
 
 def _ambiguous(comparison: Comparison, group: Collection[ElementKey]) -> bool:
-    """Whether one element may stand in another's place: two of a kind came, went or moved, or lie on each other."""
-    for kind in ElementKind:
-        keys = [key for key in group if key.kind is kind]
-        anew = [key for key in keys if key not in comparison.base or _moved(comparison, key)]
-        gone = [key for key in keys if key not in comparison.edited]
-        if (anew and len(anew) + len(gone) > 1) or _crowded(comparison, keys):
-            return True
-    return False
+    """Whether one element may stand in another's place."""
+    lanes = [key for key in group if key.kind is ElementKind.LANE_SEGMENT]
+    crossings = [key for key in group if key.kind is ElementKind.PEDESTRIAN_CROSSING]
+    return _ambiguous_lanes(comparison, lanes) or _ambiguous_crossings(comparison, crossings)
+
+
+def _ambiguous_lanes(comparison: Comparison, lanes: Collection[ElementKey]) -> bool:
+    """Whether two lanes came, went or moved (all of them going is one story), or have the very same lines."""
+    came_or_moved = sum(key not in comparison.base or _moved(comparison, key) for key in lanes)
+    went = sum(key not in comparison.edited for key in lanes)
+    if came_or_moved and came_or_moved + went > 1:
+        return True
+    lines = [lines_of(lane) for lane in map(comparison.edited.get, lanes) if lane is not None]
+    return len(set(lines)) < len(lines)
+
+
+def _ambiguous_crossings(comparison: Comparison, crossings: Collection[ElementKey]) -> bool:
+    """Whether one crossing as it is covers another as it was so far that they may be one."""
+    was = [
+        key for key in crossings if key in comparison.base and (key not in comparison.edited or _moved(comparison, key))
+    ]
+    now = {
+        key.id: comparison.shape(key, edited=True)
+        for key in crossings
+        if key in comparison.edited and (key not in comparison.base or _moved(comparison, key))
+    }
+    areas = CrossingAreas(now)
+    return any(
+        other != key.id and same_crossing(shape, now[other])
+        for key in was
+        for shape in (comparison.shape(key, edited=False),)
+        for other in areas.near(shape)
+    )
 
 
 def _moved(comparison: Comparison, key: ElementKey) -> bool:
@@ -64,12 +90,6 @@ def _moved(comparison: Comparison, key: ElementKey) -> bool:
     if key.kind is ElementKind.LANE_SEGMENT:
         return any(comparison.moved_sides(key.id))
     return comparison.crossing_moved(key.id)
-
-
-def _crowded(comparison: Comparison, keys: Collection[ElementKey]) -> bool:
-    """Whether two elements have the very same lines."""
-    lines = [lines_of(element) for element in map(comparison.edited.get, keys) if element is not None]
-    return len(set(lines)) < len(lines)
 
 
 def _violation(group: tuple[ElementKey, ...]) -> Violation:
