@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from tests.core.worlds import lane, straight, world
 
 from lanewright.core.canonical import canonicalise
@@ -33,3 +34,79 @@ def test_a_link_that_goes_beside_a_short_lane_replaces_one_lane():
         ("geometry",),
         ("insertion",),
     ]
+
+
+#  1 ── 2        nothing joins 2 at its finish
+ROW = world(straight(1, 0, 20, successors=(2,)), straight(2, 20, 40, predecessors=(1,)))
+
+
+def story(base, edited):
+    """What changed, new elements by how many."""
+    changes = [
+        (change.id if change.key in base else "new", *change.categories) for change in diff(base, edited).changes
+    ]
+    return sorted(changes, key=str)
+
+
+@pytest.mark.parametrize("finish", [30, 44, 200])
+def test_a_lane_drawn_anew_is_the_old_one_longer_or_shorter_at_its_loose_end(finish):
+    edited = world(straight(1, 0, 20, successors=(9,)), straight(9, 20, finish, predecessors=(1,)))
+    assert story(ROW, canonicalise(ROW, edited)) == [(2, "geometry")]
+
+
+def test_a_lane_drawn_the_other_way_round_is_another():
+    base = world(straight(2, 20, 40))
+    turned = world(lane(2, "40,0 20,0", "40,3.5 20,3.5"))
+    assert story(base, canonicalise(base, turned)) == [("new", "insertion"), (2, "deletion")]
+
+
+def test_a_lane_that_goes_on_beyond_a_loose_end_to_a_new_junction_is_new_from_there_on():
+    #  1 ── 2   3 ──      =>   1 ── 9 ── 3      9 drawn in the place of 2 and of the gap
+    base = world(*ROW, straight(3, 60, 80))
+    drawn = world(
+        straight(1, 0, 20, successors=(9,)),
+        straight(9, 20, 60, predecessors=(1,), successors=(3,)),
+        straight(3, 60, 80, predecessors=(9,)),
+    )
+    canonical = canonicalise(base, drawn)
+    assert story(base, canonical) == [("new", "insertion")]
+    assert canonical.lanes[2].left_boundary == base.lanes[2].left_boundary
+    assert canonicalise(base, canonical) == canonical
+
+
+def test_the_same_where_it_begins():
+    #  3 ──   1 ── 2      =>   3 ── 9 ── 2
+    base = world(straight(3, -60, -20), *ROW)
+    drawn = world(
+        straight(3, -60, -20, successors=(9,)),
+        straight(9, -20, 20, predecessors=(3,), successors=(2,)),
+        straight(2, 20, 40, predecessors=(9,)),
+    )
+    canonical = canonicalise(base, drawn)
+    assert story(base, canonical) == [("new", "insertion")]
+    assert canonical.lanes[1].left_boundary == base.lanes[1].left_boundary
+
+
+def test_a_longer_lane_reaches_to_the_next_joint_that_was_drawn():
+    #  1 ── 2      =>   1 ── 2 ─── 9      9 inside an intersection, 8 m on
+    drawn = world(
+        straight(1, 0, 20, successors=(7,)),
+        straight(7, 20, 48, predecessors=(1,), successors=(9,)),
+        straight(9, 48, 60, predecessors=(7,), is_intersection=True),
+    )
+    assert story(ROW, canonicalise(ROW, drawn)) == [("new", "insertion"), (2, "geometry")]
+
+
+def test_of_two_lanes_that_could_be_replaced_the_one_with_fewer_changes_stays():
+    #  1 ── 2      =>   1    2      the link goes, and 1 is painted
+    painted = world(straight(1, 0, 20, **SOLID), straight(2, 20, 40))
+    assert story(ROW, canonicalise(ROW, painted)) == [("new", "insertion"), (1, "deletion")]
+
+
+def test_of_equal_ones_the_lane_inside_the_intersection_is_replaced():
+    turn = {"is_intersection": True}
+    base = world(straight(1, 0, 20, successors=(2,), **turn), straight(2, 20, 40, predecessors=(1,)))
+    edited = world(straight(1, 0, 20, **turn), straight(2, 20, 40))
+    assert story(base, canonicalise(base, edited)) == [("new", "insertion"), (1, "deletion")]
+    plain = world(straight(1, 0, 20), straight(2, 20, 40))
+    assert story(ROW, canonicalise(ROW, plain)) == [("new", "insertion"), (2, "deletion")]

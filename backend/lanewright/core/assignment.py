@@ -181,6 +181,11 @@ class Assignment:
         whole = Run.of([self.edited.lanes[one], self.edited.lanes[other]]).pieces([])[0]
         self.edited = with_lanes_exchanged(self.edited, [one, other], [_under(whole, one)])
 
+    def cut(self, token: int, pieces: Sequence[LaneSegment], kept: int) -> None:
+        """Let an unmatched lane be those pieces in series; the one at ``kept`` keeps its token."""
+        named = [_under(piece, token if index == kept else self._fresh_token()) for index, piece in enumerate(pieces)]
+        self.edited = with_lanes_exchanged(self.edited, [token], named)
+
     def _fresh_token(self) -> int:
         self._next += 1
         return self._next - 1

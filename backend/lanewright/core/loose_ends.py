@@ -7,9 +7,10 @@ from collections.abc import Collection, Iterator
 import shapely
 
 from lanewright.core.comparison import COINCIDENT_M, Comparison, lane_key
-from lanewright.core.geometry import centreline, readable_element
+from lanewright.core.elements import LaneSegment
+from lanewright.core.geometry import Plan, centreline, readable_element
 from lanewright.core.places import coinciding_ends, paired_runs
-from lanewright.core.roadgraph import FINISH, Chain, RoadGraph
+from lanewright.core.roadgraph import FINISH, START, Chain, RoadGraph
 
 _MOST_PAIRED = 20
 """Chains that are looked at for each loose end."""
@@ -23,6 +24,27 @@ def lengthened_runs(comparison: Comparison) -> list[tuple[Chain, Chain]]:
     shorter story.
     """
     return [pair for pair in paired_runs(comparison, _ends) if _same_direction(comparison, *pair)]
+
+
+def outgrown_runs(comparison: Comparison) -> Iterator[tuple[Chain, Chain, int]]:
+    """Deleted chains that end loosely, each with the inserted chain that runs on over that end from where the deleted
+    one begins (or towards it, up to where that one ends), as far as the lane on which the end lies; and which end of
+    the deleted chain it is."""
+    for end, first, last in ((FINISH, 0, -1), (START, -1, 0)):
+        for was, now in coinciding_ends(comparison, START if end == FINISH else FINISH):
+            deleted = comparison.base_graph.chain_through(was, comparison.deleted_lanes)
+            inserted = comparison.edited_graph.chain_through(now, comparison.inserted_lanes)
+            tip = (deleted[last], end)
+            if deleted[first] != was or inserted[first] != now or comparison.base_graph.meets(tip):
+                continue
+            if not _same_direction(comparison, deleted, inserted):
+                continue
+            x, y, _ = comparison.base_graph.location(tip)
+            place = shapely.Point(x, y)
+            for index, lane in enumerate(inserted):
+                if shapely.dwithin(comparison.shape(lane_key(lane), edited=True), place, COINCIDENT_M):
+                    yield deleted, inserted[: index + 1] if end == FINISH else inserted[index:], end
+                    break
 
 
 def _ends(comparison: Comparison, end: int) -> list[tuple[int, int]]:
@@ -56,9 +78,19 @@ class _Loose:
 
 
 def _same_direction(comparison: Comparison, deleted: Chain, inserted: Chain) -> bool:
+    """Whether two chains begin or end in one direction."""
     was = [comparison.base.lanes[lane] for lane in (deleted[0], deleted[-1])]
     now = [comparison.edited.lanes[lane] for lane in (inserted[0], inserted[-1])]
     if not all(map(readable_element, (*was, *now))):
         return False
-    (dx, dy), (ex, ey) = (centreline(last)[-1] - centreline(first)[0] for first, last in (was, now))
-    return bool(dx * ex + dy * ey > 0)
+    return any(
+        float((_step(one, end) * _step(other, end)).sum()) > 0
+        for one, other, end in zip(was, now, (START, FINISH), strict=True)
+    )
+
+
+def _step(lane: LaneSegment, end: int) -> Plan:
+    """The first (last) step along a lane's middle, metres east and north."""
+    middle = centreline(lane)
+    step: Plan = middle[-1] - middle[-2] if end == FINISH else middle[1] - middle[0]
+    return step

@@ -7,11 +7,11 @@ from itertools import pairwise
 
 from lanewright.core.alignment import Alignment, align
 from lanewright.core.assignment import Assignment
-from lanewright.core.comparison import Comparison, crossing_key
+from lanewright.core.comparison import COINCIDENT_M, Comparison, crossing_key
 from lanewright.core.elements import LaneSegment, MapState
-from lanewright.core.geometry import overlap, readable_element
+from lanewright.core.geometry import distance_m, end_midpoint, overlap, readable_element
 from lanewright.core.identity import joinable
-from lanewright.core.loose_ends import lengthened_runs
+from lanewright.core.loose_ends import lengthened_runs, outgrown_runs
 from lanewright.core.places import (
     coinciding_runs,
     displaced_crossings,
@@ -25,7 +25,8 @@ from lanewright.core.places import (
 )
 from lanewright.core.replacement import replaced_lanes
 from lanewright.core.rightmost import ambiguous_insertions
-from lanewright.core.roadgraph import FINISH, START, Chain
+from lanewright.core.roadgraph import FINISH, START, Chain, Endpoint
+from lanewright.core.series import Run
 
 _MOST_STEPS = 400
 """A settled map takes a few steps per update; the bound only guards against maps made to have no end."""
@@ -198,6 +199,39 @@ def _join_inserted(assignment: Assignment, comparison: Comparison) -> bool:
     return False
 
 
+def _keep_to_loose_ends(assignment: Assignment, comparison: Comparison) -> bool:
+    """Where the road goes on beyond a lane's loose end, the lane is kept up to there: up to the next joint of what was
+    drawn, else up to where it ended, and what was drawn is cut there."""
+    for deleted, inserted, end in outgrown_runs(comparison):
+        lane = inserted[-1 if end == FINISH else 0]
+        if (
+            comparison.edited_graph.next_in_series(lane, comparison.inserted_lanes)
+            if end == FINISH
+            else (comparison.edited_graph.previous_in_series(lane, comparison.inserted_lanes))
+        ):
+            if _match(assignment, comparison, [(deleted, inserted)], cut=False):
+                return True
+            continue
+        pieces = _pieces_at(comparison, (deleted[-1 if end == FINISH else 0], end), lane)
+        banned = any((token, was) in assignment.banned for token in inserted for was in deleted)
+        if pieces and not banned and assignment.is_free([*deleted, *inserted]):
+            assignment.cut(lane, pieces, 0 if end == FINISH else 1)
+            return True
+    return False
+
+
+def _pieces_at(comparison: Comparison, tip: Endpoint, lane: int) -> list[LaneSegment]:
+    """An inserted lane cut where a deleted one ended, if there is another place on either side of the cut."""
+    was, end = comparison.base.lanes[tip[0]], tip[1]
+    whole = Run.of([comparison.edited.lanes[lane]])
+    station = whole.station_of(was.left_boundary[-end], was.right_boundary[-end])
+    if not all(COINCIDENT_M < here < there - COINCIDENT_M for here, there in zip(station, whole.ends, strict=True)):
+        return []
+    pieces = whole.pieces([station])
+    there = end_midpoint(pieces[0], FINISH)
+    return pieces if distance_m(there, end_midpoint(was, end)) <= COINCIDENT_M else []
+
+
 def _ends_beside(state: MapState, one: LaneSegment, other: LaneSegment) -> bool:
     """Whether a third lane ends at the joint of two: their segmentation follows it."""
     joint = {one.left_boundary[-1][:2], one.right_boundary[-1][:2]}
@@ -221,4 +255,5 @@ _STEPS = (
     _match_crossings,
     _keep_right,
     _join_inserted,
+    _keep_to_loose_ends,
 )
