@@ -44,8 +44,11 @@ def canonicalise(base: MapState, edited: MapState) -> MapState:
 def canonical_form(base: MapState, edited: MapState, scope: Collection[ElementKey] | None = None) -> Canonical:
     """The canonical form, with what was renamed.
 
-    ``scope``: only these elements (of either map) are looked at anew; all others keep their ids. None: all.
+    ``scope``: only these elements (of either map), and lanes linked to those of them that came or went, are looked at
+    anew; all others keep their ids. None: all.
     """
+    if scope is not None:
+        scope = {*scope, *_linked(Comparison(base, edited), scope)}
     assignment = Assignment.start(base, edited, scope)
     settle(assignment)
     return _named(assignment, edited, fresh_ids((base, edited)))
@@ -68,6 +71,17 @@ def canonical_update(comparison: Comparison, update: Collection[ElementKey]) -> 
     put_in = [element for element in settled.values() if element is not None]
     merged = edited.replaced(put_in, [key for key, element in settled.items() if element is None])
     return dataclasses.replace(form, edited=merged)
+
+
+def canonical_updates(comparison: Comparison, updates: Iterable[Collection[ElementKey]]) -> Canonical:
+    """The edited map with several structural updates in their canonical form."""
+    form = Canonical(comparison.edited, {}, (), ())
+    for update in updates:
+        settled = canonical_update(Comparison(comparison.base, form.edited), update)
+        form = Canonical(
+            settled.edited, form.renamed | settled.renamed, form.joined + settled.joined, form.cut + settled.cut
+        )
+    return form
 
 
 def _linked(comparison: Comparison, update: Collection[ElementKey]) -> Iterator[ElementKey]:

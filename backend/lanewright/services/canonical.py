@@ -8,7 +8,7 @@ from typing import Any
 
 from sqlalchemy.orm import Session
 
-from lanewright.core.canonical import Canonical, canonical_form
+from lanewright.core.canonical import Canonical, canonical_form, canonical_updates
 from lanewright.core.claims import DeclaredMacros
 from lanewright.core.comparison import Comparison
 from lanewright.core.edits import Edit, edits_between
@@ -71,7 +71,7 @@ def settled(session: Session, task: Task, account_id: int, evaluation: Evaluatio
     if not notes:
         return evaluation, {}
     comparison = evaluation.findings.comparison
-    form = canonical_form(comparison.base, comparison.edited, _updates_of(comparison, notes))
+    form = canonical_updates(comparison, _updates_of(comparison, notes))
     state, renames = _with_legal_ids(session, task, account_id, evaluation, form, _completed(comparison, form))
     state = restore(evaluation.base.state, state)
     declared = declarations.renamed(evaluation.declared, renames)
@@ -98,10 +98,10 @@ def _completed(comparison: Comparison, form: Canonical) -> MapState:
     return with_links_completed(comparison.base, form.edited)
 
 
-def _updates_of(comparison: Comparison, notes: Sequence[Violation]) -> set[ElementKey]:
-    """All elements of the updates that the notes are about."""
+def _updates_of(comparison: Comparison, notes: Sequence[Violation]) -> list[tuple[ElementKey, ...]]:
+    """The updates that the notes are about."""
     told = {ElementKey(note.kind, element) for note in notes for element in note.elements}
-    return {key for group in update_groups(comparison) if not told.isdisjoint(group) for key in group}
+    return [group for group in update_groups(comparison) if not told.isdisjoint(group)]
 
 
 def _with_legal_ids(

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import pytest
 from tests.core.update_machine import told
 from tests.core.worlds import crossing, straight, world
 
-from lanewright.core.canonical import canonicalise
+from lanewright.core.canonical import canonical_updates, canonicalise
+from lanewright.core.comparison import Comparison
+from lanewright.core.edits import apply_edits
 from lanewright.core.elements import LaneType
+from lanewright.core.identity import renamed
+from lanewright.core.macros import update_groups
 from lanewright.core.rules import check
 
 #  ── 2 ──
@@ -47,4 +53,24 @@ CASES = {
 def test_what_is_not_canonical_is_noted(case):
     base, edited = CASES[case]
     assert told(base, edited) != told(base, canonicalise(base, edited))
-    assert [one.code for one in check(base, edited)] == ["identity.not_canonical"]
+    (note,) = check(base, edited)
+    assert note.code == "identity.not_canonical"
+    assert told(base, apply_edits(edited, note.fixes[0].edits)) == told(base, canonicalise(base, edited))
+
+
+def test_all_updates_told_anew_at_once_are_the_canonical_form():
+    far = [dataclasses.replace(one, id=one.id + 10, **moved(one)) for one in TWO.lanes.values()]
+    base = world(*TWO, *far)
+    edited = renamed(base, {1: 2, 2: 1, 11: 12, 12: 11})
+    comparison = Comparison(base, edited)
+    assert len(update_groups(comparison)) == 2
+    form = canonical_updates(comparison, update_groups(comparison))
+    assert form.edited == base
+    assert {key.id: new for key, new in form.renamed.items()} == {1: 2, 2: 1, 11: 12, 12: 11}
+
+
+def moved(lane):
+    """A lane's lines 1 km further east."""
+    return {
+        side: tuple((x + 1000, y, z) for x, y, z in getattr(lane, side)) for side in ("left_boundary", "right_boundary")
+    }
