@@ -9,7 +9,7 @@ from random import Random
 
 from tests.core.rewriting import EDITS, Rewrite, any_lane
 
-from lanewright.core.elements import LaneSegment, MapState, PedestrianCrossing, Point
+from lanewright.core.elements import LaneSegment, Line, MapState, PedestrianCrossing, Point
 from lanewright.core.identity import fresh_id, without_link
 from lanewright.core.roadgraph import Link, RoadGraph
 
@@ -32,6 +32,40 @@ def move_joint(random: Random, state: MapState) -> MapState:
         if any(getattr(other, side) != line for side, line in lines.items()):
             moved.append(dataclasses.replace(other, **lines))
     return state.replaced(moved)
+
+
+def stretch(random: Random, state: MapState) -> MapState:
+    """A lane that leads nowhere made longer or shorter, and lanes beside it that end at the same points with it."""
+    graph = RoadGraph.of(state)
+    loose = [lane for key, lane in sorted(state.lanes.items()) if not graph.successors[key]]
+    if not loose:
+        return state
+    lane, by = random.choice(loose), random.choice((-6.0, -2.0, 1.0, 5.0, 20.0))
+    moved = {}
+    for line in (lane.left_boundary, lane.right_boundary):
+        dx, dy = _step(*line[-2:])
+        length = math.hypot(dx, dy)
+        if length + by > 0.5:
+            moved[line[-1][:2]] = _shifted(line[-1], (dx / length * by, dy / length * by))
+    ending = [
+        other
+        for other in state.lanes.values()
+        if {other.left_boundary[-1][:2], other.right_boundary[-1][:2]} & moved.keys()
+    ]
+    if any(graph.successors[other.id] for other in ending):
+        return state
+    return state.replaced(
+        dataclasses.replace(
+            other,
+            left_boundary=_with_last_moved(other.left_boundary, moved),
+            right_boundary=_with_last_moved(other.right_boundary, moved),
+        )
+        for other in ending
+    )
+
+
+def _with_last_moved(line: Line, moved: dict[tuple[float, float], Point]) -> Line:
+    return (*line[:-1], moved.get(line[-1][:2], line[-1]))
 
 
 def toggle_intersection(random: Random, state: MapState) -> MapState:
@@ -141,6 +175,7 @@ def _shifted(point: Point, by: tuple[float, float]) -> Point:
 ALL_EDITS: tuple[Rewrite, ...] = (
     *EDITS,
     move_joint,
+    stretch,
     toggle_intersection,
     fill_gap,
     link,

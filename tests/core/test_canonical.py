@@ -8,6 +8,7 @@ from tests.core.worlds import lane, straight, world
 from lanewright.core.canonical import canonicalise
 from lanewright.core.diff import diff
 from lanewright.core.elements import Mark
+from lanewright.core.identity import unlinked
 
 SOLID = {"left_mark": Mark.SOLID_WHITE, "right_mark": Mark.SOLID_WHITE}
 
@@ -110,3 +111,13 @@ def test_of_equal_ones_the_lane_inside_the_intersection_is_replaced():
     assert story(base, canonicalise(base, edited)) == [("new", "insertion"), (1, "deletion")]
     plain = world(straight(1, 0, 20), straight(2, 20, 40))
     assert story(ROW, canonicalise(ROW, plain)) == [("new", "insertion"), (2, "deletion")]
+
+
+def test_lanes_drawn_as_one_where_a_branch_went_stay_two():
+    #     ┌ 3
+    #  1 ─┴ 2      =>   ── 9 ──      1 and 2 keep their joint, although nothing joins there any more
+    branch = lane(3, "20,3.5 30,9", "20,0 32,5", predecessors=(1,))
+    base = world(straight(1, 0, 20, successors=(2, 3)), straight(2, 20, 40, predecessors=(1,)), branch)
+    canonical = canonicalise(base, world(straight(9, 0, 40)))
+    assert story(base, canonical) == [(3, "deletion")]
+    assert canonical == unlinked(base, [3])

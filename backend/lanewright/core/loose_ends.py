@@ -27,15 +27,17 @@ def lengthened_runs(comparison: Comparison) -> list[tuple[Chain, Chain]]:
 
 
 def outgrown_runs(comparison: Comparison) -> Iterator[tuple[Chain, Chain, int]]:
-    """Deleted chains that end loosely, each with the inserted chain that runs on over that end from where the deleted
-    one begins (or towards it, up to where that one ends), as far as the lane on which the end lies; and which end of
-    the deleted chain it is."""
+    """Deleted chains that end where no survivor holds them, each with the inserted chain that runs on over that end
+    from where the deleted one begins (or towards it, up to where that one ends), as far as the lane on which the end
+    lies; and which end of the deleted chain it is."""
     for end, first, last in ((FINISH, 0, -1), (START, -1, 0)):
         for was, now in coinciding_ends(comparison, START if end == FINISH else FINISH):
             deleted = comparison.base_graph.chain_through(was, comparison.deleted_lanes)
             inserted = comparison.edited_graph.chain_through(now, comparison.inserted_lanes)
             tip = (deleted[last], end)
-            if deleted[first] != was or inserted[first] != now or comparison.base_graph.meets(tip):
+            if deleted[first] != was or inserted[first] != now:
+                continue
+            if comparison.base_graph.anchors(tip, comparison.surviving_lanes):
                 continue
             if not _same_direction(comparison, deleted, inserted):
                 continue
