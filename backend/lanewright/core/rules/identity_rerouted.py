@@ -40,6 +40,7 @@ RULE = Rule(
     "while the junction stays one is a change of connectivity in place, and a turn that keeps its function may be "
     "re-routed in place.",
     mend="Delete the lane that moved to another place and insert it there under a new id. The fix replaces the fewest "
-    "lanes: rather one inside the intersection, then the one that moved most, then the downstream one.",
+    "lanes: those that leave the fewest other changes, then the one that moved most, then one inside the intersection, "
+    "then the downstream one.",
     example="right_turn_rerouted_in_place",
 )
