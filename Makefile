@@ -48,7 +48,8 @@ check-python: install-test
 check-frontend: install-test
 	@scripts/frontend.sh check
 
-types: install-test ## Regenerate the OpenAPI description and the frontend's types from it
+types: ## Regenerate the OpenAPI description and the frontend's types from it
+	@scripts/python_packages.sh test
 	@$(bin)/lanewright openapi >frontend/openapi.json.new && mv frontend/openapi.json.new frontend/openapi.json
 	@scripts/frontend.sh types
 

@@ -86,6 +86,18 @@ def test_an_id_of_an_earlier_revision_is_not_passed_on(desk_on: DeskOn, session:
     assert desk.saved(repaint(fresh), base=2)["revision"] == 3, "the id is the account's own"
 
 
+def test_a_save_says_that_it_joined_what_was_drawn_in_two(desk_on: DeskOn, session: Session) -> None:
+    #  ── 8 ── 9 ──  drawn in series, nothing between them differs
+    desk = desk_on(BASE)
+    row = (straight(8, 0, 30, 20, 23.5, successors=(9,)), straight(9, 30, 60, 20, 23.5, predecessors=(8,)))
+    edits = as_sent(desk, BASE, world(*BASE, *row))
+    drawn = {edit["id"] for edit in edits}
+    answer = desk.saved(*edits)
+    (joined,) = answer["joined"]
+    assert drawn - {joined} == stored(session, desk, 1).lanes.keys() - stored(session, desk, 0).lanes.keys()
+    assert (answer["canonical"], answer["cut"]) == ([], [])
+
+
 def test_the_canonical_form_is_proposed_as_edits_of_the_draft(desk_on: DeskOn, session: Session) -> None:
     desk = desk_on(BASE)
     edits = as_sent(desk, BASE, MOVED_UP)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from sqlalchemy.orm import Session
@@ -30,6 +31,23 @@ from lanewright.services.findings import Findings, violation_documents
 
 Renames = Mapping[ElementKey, int]
 """Elements of the draft -> their ids in the canonical form, where these differ."""
+
+
+@dataclass(frozen=True, slots=True)
+class Retold:
+    """How a save told its updates otherwise than they were drawn.
+
+    Attributes:
+        joined: lanes that became part of the one before or after them in series.
+        cut: lanes of the base that are cut.
+    """
+
+    renamed: Renames
+    joined: tuple[int, ...]
+    cut: tuple[int, ...]
+
+
+AS_DRAWN = Retold({}, (), ())
 
 
 def proposal(
@@ -60,7 +78,7 @@ def proposal(
     }
 
 
-def settled(session: Session, task: Task, account_id: int, evaluation: Evaluation) -> tuple[Evaluation, Renames]:
+def settled(session: Session, task: Task, account_id: int, evaluation: Evaluation) -> tuple[Evaluation, Retold]:
     """The evaluation of what a save stores: updates that a note calls not canonical, in their canonical form.
 
     Raises:
@@ -69,7 +87,7 @@ def settled(session: Session, task: Task, account_id: int, evaluation: Evaluatio
     """
     notes = [one for one in evaluation.findings.violations if one.code == identity_not_canonical.CODE]
     if not notes:
-        return evaluation, {}
+        return evaluation, AS_DRAWN
     comparison = evaluation.findings.comparison
     form = canonical_updates(comparison, _updates_of(comparison, notes))
     state, renames = _with_legal_ids(session, task, account_id, evaluation, form, _completed(comparison, form))
@@ -86,7 +104,7 @@ def settled(session: Session, task: Task, account_id: int, evaluation: Evaluatio
             code="save.violations",
             violations=violation_documents(notes),
         )
-    return canonical, renames
+    return canonical, Retold(renames, form.joined, form.cut)
 
 
 def rename_documents(renames: Renames) -> list[dict[str, Any]]:

@@ -21,7 +21,7 @@ from lanewright.db.repositories import changes, drafts, elements, revisions
 from lanewright.sensors.city import city_frame
 from lanewright.services.access import readable_task, require_editable, require_own
 from lanewright.services.actor import Actor
-from lanewright.services.canonical import Renames, rename_documents, settled
+from lanewright.services.canonical import Retold, rename_documents, settled
 from lanewright.services.declarations import documents
 from lanewright.services.element_documents import key_documents, map_document
 from lanewright.services.evaluation import Evaluation, evaluate
@@ -67,9 +67,9 @@ def save(
     require_editable(task)
     evaluation = evaluate(session, task, actor.id, base_revision, edits, declared)
     _require_no_violation(evaluation)
-    evaluation, renames = settled(session, task, actor.id, evaluation)
+    evaluation, retold = settled(session, task, actor.id, evaluation)
     _require_difference(evaluation, task.line.head)
-    return _write(session, actor, task, evaluation, renames, changeset_uuid, body_sha256, note)
+    return _write(session, actor, task, evaluation, retold, changeset_uuid, body_sha256, note)
 
 
 def check(
@@ -120,7 +120,7 @@ def _write(
     actor: Actor,
     task: Task,
     evaluation: Evaluation,
-    renames: Renames,
+    retold: Retold,
     changeset_uuid: uuid.UUID,
     body_sha256: bytes,
     note: str,
@@ -132,7 +132,7 @@ def _write(
     rows = to_rows(written, city_frame(task.log.city).to_mercator)
     hashes = {key: sha256 for key, sha256 in head.hashes.items() if key in edited}
     hashes |= {element.key: row.sha256 for element, row in zip(written, rows, strict=True)}
-    answer = _answer(session, task, evaluation, renames, revision, written)
+    answer = _answer(session, task, evaluation, retold, revision, written)
     diff = evaluation.findings.diff
     revisions.insert_revision(
         session,
@@ -160,7 +160,7 @@ def _answer(
     session: Session,
     task: Task,
     evaluation: Evaluation,
-    renames: Renames,
+    retold: Retold,
     revision: int,
     written: Sequence[Element],
 ) -> bytes:
@@ -176,7 +176,9 @@ def _answer(
         "changed": map_document(changed, versions),
         "removed": key_documents(removed),
         "restored": key_documents(evaluation.restored),
-        "canonical": rename_documents(renames),
+        "canonical": rename_documents(retold.renamed),
+        "joined": list(retold.joined),
+        "cut": list(retold.cut),
         "declarations": documents(evaluation.declared),
         "findings": evaluation.findings.document(),
     }

@@ -1215,9 +1215,13 @@ export interface components {
              * Format: date-time
              */
             created_at: string;
+            /** Cut */
+            cut: number[];
             /** Declarations */
             declarations: components["schemas"]["DeclarationOut"][];
             findings: components["schemas"]["Findings"];
+            /** Joined */
+            joined: number[];
             /** Removed */
             removed: components["schemas"]["ElementKeyOut"][];
             /** Restored */

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { canonicalWords, renamedWords } from "./canonicalWords";
+import { canonicalWords, renamedWords, retoldWords } from "./canonicalWords";
 
 const lane = (from: number, to: number) => ({ kind: "lane_segment" as const, from, to });
 
@@ -17,4 +17,11 @@ it("tells which imported elements have their ids again", () => {
   expect(canonicalWords(form, ({ id }) => id === 7)).toBe(
     "Made canonical. 2 ids exchanged: lane 12 is now lane 7.",
   );
+});
+
+it("says how a save told the story", () => {
+  expect(retoldWords({ canonical: [lane(12, 7)], joined: [9], cut: [] })).toBe(
+    "Told as the simpler story: lane 12 is now lane 7; 1 lane joined with the next in series.",
+  );
+  expect(retoldWords({ canonical: [], joined: [], cut: [] })).toBe("");
 });

@@ -1,5 +1,5 @@
 /** What bringing an update into its canonical form did, in words. */
-import type { CanonicalForm, RenamedElement } from "../api/types";
+import type { CanonicalForm, RenamedElement, SavedRevision } from "../api/types";
 import { counted, KIND_WORDS } from "../ui/parts/words";
 
 const MOST_NAMED = 3;
@@ -14,16 +14,29 @@ export function renamedWords(renamed: readonly RenamedElement[]): string {
   return `${named.join(", ")}${rest > 0 ? ` and ${rest} more` : ""}`;
 }
 
+/** After a save that told its updates otherwise than they were drawn; empty: it did not. */
+export function retoldWords({
+  canonical,
+  joined,
+  cut,
+}: Pick<SavedRevision, "canonical" | "joined" | "cut">): string {
+  const ids = canonical.length > 0 && renamedWords(canonical);
+  const facts = [ids, ...seriesWords(joined, cut)].filter((fact) => fact !== false);
+  return facts.length > 0 ? `Told as the simpler story: ${facts.join("; ")}.` : "";
+}
+
+const seriesWords = (joined: readonly number[], cut: readonly number[]) => [
+  joined.length > 0 && `${counted(joined.length, "lane")} joined with the next in series`,
+  cut.length > 0 && `${counted(cut.length, "lane")} cut`,
+];
+
 /** After "Make canonical". Elements without an imported id get new ids of their own, which are not worth a word. */
 export function canonicalWords(
   { renamed, joined, cut }: Pick<CanonicalForm, "renamed" | "joined" | "cut">,
   isImported: (element: { kind: RenamedElement["kind"]; id: number }) => boolean,
 ): string {
   const again = renamed.filter(({ kind, to }) => isImported({ kind, id: to }));
-  const facts = [
-    again.length > 0 && `${counted(renamed.length, "id")} exchanged: ${renamedWords(again)}`,
-    joined.length > 0 && `${counted(joined.length, "lane")} joined with the next in series`,
-    cut.length > 0 && `${counted(cut.length, "lane")} cut`,
-  ].filter((fact) => fact !== false);
+  const ids = again.length > 0 && `${counted(renamed.length, "id")} exchanged: ${renamedWords(again)}`;
+  const facts = [ids, ...seriesWords(joined, cut)].filter((fact) => fact !== false);
   return `Made canonical${facts.length > 0 ? `. ${facts.join("; ")}` : ": the same map, told with fewer changes"}.`;
 }

@@ -72,6 +72,8 @@ const saved = (): [number, unknown] => [
     changed: { lanes: [{ version: 1, attributes: repainted }], crossings: [] },
     removed: [],
     canonical: [],
+    joined: [],
+    cut: [],
     declarations: [],
     restored: [],
     findings: NO_FINDINGS,

@@ -62,6 +62,10 @@ class SavedRevision(Outgoing):
     """Elements whose edit was below tolerance and went back to the base's exact coordinates."""
     canonical: list[RenamedElement]
     """Elements of the draft that were stored under another id, because the canonical form calls them so."""
+    joined: list[int]
+    """Lanes of the draft that the canonical form made part of the lane before or after them in series."""
+    cut: list[int]
+    """Lanes of the base that the canonical form cuts, since a property changes half-way."""
     declarations: list[DeclarationOut]
     """All declarations of the task as stored: merged with those that others saved, ids as in ``canonical``."""
     findings: Findings

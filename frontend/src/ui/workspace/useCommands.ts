@@ -1,7 +1,7 @@
 import { useCallback, useMemo } from "react";
 import type { ElementKey, Violation } from "../../api/types";
 import type { PageCommand } from "../../map";
-import { renamedWords } from "../../work/canonicalWords";
+import { retoldWords } from "../../work/canonicalWords";
 import type { SaveOutcome } from "../../work/workSession";
 import { blockingErrors } from "../../work/workState";
 import { counted } from "../parts/words";
@@ -108,11 +108,10 @@ function tellOutcome(
       return;
     case "saved": {
       screen.setState((state) => withRevision(state, outcome.saved, me));
-      const { revision, restored, canonical } = outcome.saved;
+      const { revision, restored } = outcome.saved;
       const below =
         restored.length === 0 ? "" : ` ${counted(restored.length, "edit")} below 5 cm went back to the base.`;
-      const simpler = canonical.length === 0 ? "" : ` Told as the simpler story: ${renamedWords(canonical)}.`;
-      tell(`Saved as revision ${revision}.${below}${simpler}`);
+      tell(`Saved as revision ${revision}.${below} ${retoldWords(outcome.saved)}`.trim());
       return;
     }
     case "stale":
