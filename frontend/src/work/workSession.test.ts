@@ -236,3 +236,16 @@ it("leaves no draft behind where settling a stale base leaves nothing of it", as
   expect(await readDraft(KEY)).toBeNull();
   expect(sent.at(-1)?.path).toBe("DELETE draft");
 });
+
+it("goes on keeping what is drawn where settling a stale base failed", async () => {
+  serverWith({ "PUT draft": kept, "DELETE draft": () => [500, { code: "x", message: "It broke." }] });
+  work = openWork();
+  work.editor.actions.setMark(7, "left", "SOLID_WHITE");
+  await vi.waitFor(() => expect(state(work).keeping.where).toBe("server"), { timeout: 5_000 });
+  await expect(work.rebase(1, [])).rejects.toMatchObject({ message: "It broke." });
+  work.editor.actions.setLaneType(7, "BUS");
+  await vi.waitFor(async () =>
+    expect((await readDraft(KEY))?.edits).toMatchObject([{ attributes: { lane_type: "BUS" } }]),
+  );
+  expect(state(work).edits).toBe(1);
+});

@@ -111,7 +111,14 @@ export class WorkSession {
   /** Ends this session with other edits for a newer base; the task is then opened anew and goes on with them. */
   async rebase(baseRevision: number, edits: Edit[]): Promise<void> {
     this.stop();
-    await this.keeper.rebase(baseRevision, edits);
+    try {
+      await this.keeper.rebase(baseRevision, edits);
+    } catch (error) {
+      // Editing goes on here, so it is kept here again, with what was drawn while nobody listened.
+      this.start();
+      this.keeper.note(this.editor.actions.netDraft());
+      throw error;
+    }
   }
 
   keepMine(newer: Draft): void {
