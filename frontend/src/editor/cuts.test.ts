@@ -1,6 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { elementOf } from "./document";
 import { equalElements } from "./equality";
+import { baseCutAlike } from "./parts";
 import { createEditor } from "./store";
 import { brokenInvariants } from "./testInvariants";
 import { at, idBlocks, reasonOf, workspaceOf } from "./testRoad";
@@ -45,6 +46,31 @@ describe("a cut", () => {
     expect([...editor.getState().changedKeys]).toEqual([]);
     editor.actions.setMark(other.id, "right", "DASHED_WHITE");
     expect([...editor.getState().changedKeys]).toEqual([[`lane_segment:${other.id}`, ["marking"]]]);
+  });
+
+  test("whose joint is moved is a change of both parts, and the imported line stays straight", async () => {
+    const editor = open();
+    const [one, other] = await cut(editor, 1, 16, 2);
+    const corner = { kind: "lane_segment", id: other.id, side: "right", index: 0 } as const;
+    editor.actions.moveVertex(corner, { x: 16, y: -1.2 });
+    const { base, current, changedKeys } = editor.getState();
+    expect([...changedKeys]).toEqual([
+      [`lane_segment:${one.id}`, ["geometry"]],
+      [`lane_segment:${other.id}`, ["geometry"]],
+    ]);
+    const imported = baseCutAlike(base, current).lanes.get(one.id)?.right_lane_boundary ?? [];
+    expect(at(imported, -1)).toEqual([16, 0.07]);
+  });
+
+  test("whose joint is moved past the lane's end is still compared part by part", async () => {
+    const editor = open();
+    const [one] = await cut(editor, 1, 16, 2);
+    const corner = { kind: "lane_segment", id: one.id, side: "right", index: 2 } as const;
+    editor.actions.moveVertex(corner, { x: -9, y: 0.07 });
+    const { base, current } = editor.getState();
+    const imported = baseCutAlike(base, current).lanes.get(one.id)?.right_lane_boundary ?? [];
+    expect(imported.length).toBeGreaterThan(1);
+    expect(at(imported, 0)).toEqual([0, 0.07]);
   });
 
   test("tells the server which lane the parts were", async () => {

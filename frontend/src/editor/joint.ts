@@ -14,8 +14,8 @@ export interface Joint {
 const SHORTEST_PART_METRES = 0.5;
 /** Vertices farther than this from the click are never taken for the joint. */
 const LONGEST_REACH_METRES = 1;
-/** A vertex this near to the joint gives way to it. */
-const SAME_PLACE_METRES = 0.02;
+/** A vertex this near to the joint gives way to it; a joint this near to a line is on it. */
+export const SAME_PLACE_METRES = 0.02;
 
 /**
  * The joint nearest to a place: square across the lane, on a vertex where one is within reach (of others' ends first,

@@ -1,8 +1,9 @@
 /** Recorded cuts: a lane of the imported map that is there in parts is compared part by part. */
 import type { MapDocument } from "./document";
-import type { Lane } from "./elements";
-import { cutLane } from "./joint";
-import { at } from "./polyline";
+import type { Lane, Line, Point, Side } from "./elements";
+import { cutLane, type Joint, SAME_PLACE_METRES, stationOf } from "./joint";
+import { boundary, drawn, rounded } from "./lines";
+import { alongLine, at, lengthOf, nearestOnLine } from "./polyline";
 import { linkedLanes } from "./topology";
 
 /** The parts of a lane in driving order; empty when they are not one series of two or more. */
@@ -50,18 +51,65 @@ function cutAlike(base: MapDocument, current: MapDocument): MapDocument {
 
 /** The whole cut where its parts meet, under the parts' ids. */
 function pieces(whole: Lane, parts: readonly Lane[]): Lane[] {
+  const joints = jointsOn(whole, parts);
   const cut: Lane[] = [];
   let rest = whole;
   parts.forEach((part, index) => {
     const named = { id: part.id, part_of: whole.id };
-    if (index === parts.length - 1) {
+    const joint = joints[index];
+    if (joint === undefined) {
       cut.push({ ...rest, ...named });
       return;
     }
-    const joint = { left: at(part.left_lane_boundary, -1), right: at(part.right_lane_boundary, -1) };
     const [piece, after] = cutLane(rest, joint);
     cut.push({ ...piece, ...named });
     rest = after;
   });
   return cut;
+}
+
+/**
+ * Where the parts meet, on the whole's lines: a joint moved off them is compared with the nearest place on them. Joints
+ * that do not follow one another there are laid out by the parts' lengths, as the server does.
+ */
+function jointsOn(whole: Lane, parts: readonly Lane[]): Joint[] {
+  const near = nearestJoints(whole, parts);
+  const orderly =
+    follow(
+      whole.left_lane_boundary,
+      near.map(({ left }) => left),
+    ) &&
+    follow(
+      whole.right_lane_boundary,
+      near.map(({ right }) => right),
+    );
+  return orderly ? near : sharedOut(whole, parts);
+}
+
+function nearestJoints(whole: Lane, parts: readonly Lane[]): Joint[] {
+  return parts.slice(0, -1).map((part) => ({
+    left: cornerOn(whole.left_lane_boundary, at(part.left_lane_boundary, -1)),
+    right: cornerOn(whole.right_lane_boundary, at(part.right_lane_boundary, -1)),
+  }));
+}
+
+function follow(line: Line, corners: readonly Point[]): boolean {
+  const stations = [...corners.map((corner) => stationOf(line, corner)), lengthOf(line)];
+  return stations.every((station, index) => station > (stations[index - 1] ?? 0) + SAME_PLACE_METRES);
+}
+
+function sharedOut(whole: Lane, parts: readonly Lane[]): Joint[] {
+  const corner = (side: Side, count: number) => {
+    const total = lengthOf(parts.flatMap((part) => boundary(part, side)));
+    const before = lengthOf(parts.slice(0, count).flatMap((part) => boundary(part, side)));
+    return drawn(rounded(alongLine(boundary(whole, side), before / total)));
+  };
+  return parts
+    .slice(1)
+    .map((_, index) => ({ left: corner("left", index + 1), right: corner("right", index + 1) }));
+}
+
+function cornerOn(line: Line, corner: Point): Point {
+  const { place, distance } = nearestOnLine(corner, line);
+  return distance <= SAME_PLACE_METRES ? corner : drawn(rounded(place));
 }
