@@ -7,12 +7,16 @@ import { type ElementKey, type KeyText, keyText, type Line, type MapElement, typ
 import { equalElements } from "./equality";
 import { lineNames, lineOf } from "./lines";
 import type { History } from "./state";
+import type { Declaration } from "./wire";
 
 /** Translates elements of before a save into what they are after it. */
 export class Adoption {
   readonly #stored = new Map<object, MapElement | null>();
   readonly #points = new Map<string, Point>();
-  /** Whether the save touched only what was sent; if not (ids exchanged), the past cannot be translated. */
+  /**
+   * Whether the save touched only what was sent; if not (ids exchanged, lanes joined, others' work merged in), neither
+   * the past nor what was edited meanwhile can be translated element by element.
+   */
   readonly translatesHistory: boolean;
 
   constructor(savedBefore: MapDocument, sent: MapDocument, stored: MapDocument) {
@@ -81,14 +85,21 @@ export class Adoption {
     }));
   }
 
-  history(history: History): History {
+  /** Undo steps as they are after the save; `declared` translates the declarations that a step leads between. */
+  history(history: History, declared: (list: readonly Declaration[]) => Declaration[]): History {
     if (!this.translatesHistory) return { done: [], undone: [] };
     const translated = (entries: History["done"]) =>
-      entries.map((entry) => ({ ...entry, changes: this.changes(entry.changes) }));
+      entries.map(({ note, changes, declarations }) => ({
+        note,
+        changes: this.changes(changes),
+        ...(declarations
+          ? { declarations: { before: declared(declarations.before), after: declared(declarations.after) } }
+          : {}),
+      }));
     return { done: translated(history.done), undone: translated(history.undone) };
   }
 
-  /** What is on the screen now: the stored map with the edits made since the save was sent. */
+  /** What was edited since the save was sent, where the save touched only what was sent. */
   current(current: MapDocument, sent: MapDocument, stored: MapDocument): Change[] {
     const since = differingKeys(sent, current);
     return since.map((key: ElementKey) => ({

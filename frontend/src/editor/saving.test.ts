@@ -193,27 +193,3 @@ test("a revision opens with its changes on the imported map", () => {
   ]);
   expect(editor.actions.netEdits()).toEqual([]);
 });
-
-test("a save that exchanges ids takes the selection and later edits along", () => {
-  const editor = open();
-  editor.actions.setLaneType(1, "BUS");
-  const snapshot = editor.actions.takeSnapshot();
-  editor.actions.select({ kind: "lane_segment", id: 20 });
-  editor.actions.setLaneType(20, "BIKE");
-  const [one, other] = [imported(20), imported(21)];
-  const canonical = [
-    { kind: "lane_segment", from: 20, to: 21 },
-    { kind: "lane_segment", from: 21, to: 20 },
-  ] as const;
-  const changed = wireMap(
-    [
-      { ...imported(1), lane_type: "BUS" },
-      { ...one, id: 21 },
-      { ...other, id: 20 },
-    ],
-    [],
-  );
-  editor.actions.adoptSaved({ revision: 1, changed, removed: [], declarations: [], canonical }, snapshot);
-  expect(editor.getState().selection?.id).toBe(21);
-  expect(editor.actions.netEdits()).toMatchObject([{ id: 21, attributes: { lane_type: "BIKE" } }]);
-});

@@ -1,6 +1,6 @@
 /** History, drafts and saves. */
 import { Adoption } from "./adoption";
-import { redeclared, sameDeclarations } from "./declarations";
+import { merged, redeclared, renamed, sameDeclarations } from "./declarations";
 import { applyChanges, type Change, differingKeys, elementOf, type MapDocument } from "./document";
 import { changesOf, editsBetween } from "./edits";
 import { type KeyText, keyText } from "./elements";
@@ -106,21 +106,21 @@ export function savingActions(stage: Stage): SavingActions {
       const renames = new Map(
         answer.canonical.map(({ kind, from, to }) => [keyText({ kind, id: from }), to]),
       );
-      const since =
-        renames.size === 0
-          ? adoption.current(current, snapshot.document, stored)
-          : renamedSince(snapshot.document, current, stored, renames);
-      if (since === null)
-        stage.say("What you edited during the save does not fit the saved map: do it again.");
+      const since = adoption.translatesHistory
+        ? { document: applyChanges(stored, adoption.current(current, snapshot.document, stored)), unfit: [] }
+        : editedSince(snapshot.document, current, stored, renames);
+      const sent = renamed(snapshot.declarations, renames);
+      const declared = (list: readonly Declaration[]) =>
+        merged(sent, answer.declarations, renamed(list, renames));
       store.setState({
         saved: stored,
         savedRevision: answer.revision,
         savedDeclarations: answer.declarations,
-        history: adoption.history(history),
+        history: adoption.history(history, declared),
       });
       const follows = selection && { ...selection, id: renames.get(keyText(selection)) ?? selection.id };
-      const untouched = sameDeclarations(declarations, snapshot.declarations);
-      stage.show(applyChanges(stored, since ?? []), follows, untouched ? answer.declarations : declarations);
+      stage.show(since.document, follows, declared(declarations));
+      return since.unfit;
     },
     undo: () => stage.undo(),
     redo: () => stage.redo(),
@@ -148,16 +148,27 @@ function oneStep(
   ];
 }
 
-/** What was edited while a save was under way that gave elements other ids; null: it does not fit what was stored. */
-function renamedSince(
+/**
+ * The stored map with what was edited while the save was under way, attribute by attribute, so that what else the save
+ * changed stands; `unfit`: the edits of elements that are not there any more.
+ */
+function editedSince(
   sent: MapDocument,
   current: MapDocument,
   stored: MapDocument,
   renames: ReadonlyMap<KeyText, number>,
-): Change[] | null {
+): { document: MapDocument; unfit: ReceivedEdit[] } {
   const edits = editsBetween(sent, current).map((edit) => ({ ...edit, attributes: { ...edit.attributes } }));
-  const changes = readChanges(stored, renumbered(edits, renames));
-  return typeof changes === "string" ? null : changes;
+  const unfit: ReceivedEdit[] = [];
+  let document = stored;
+  for (const edit of renumbered(edits, renames)) {
+    const goneAnyway = edit.operation === "delete" && elementOf(document, edit) === null;
+    if (goneAnyway) continue;
+    const changes = readChanges(document, [edit]);
+    if (typeof changes === "string") unfit.push(edit);
+    else document = applyChanges(document, changes);
+  }
+  return { document, unfit };
 }
 
 /** Whether a kept history, step by step, makes the draft out of the saved map. */

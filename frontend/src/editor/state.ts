@@ -178,8 +178,11 @@ export interface EditorActions {
   netEdits(): Edit[];
   netDraft(): DraftContent;
   takeSnapshot(): SaveSnapshot;
-  /** Takes over what the server stored; edits made since the snapshot stay, as does the history. */
-  adoptSaved(saved: EditorSavedRevision, snapshot: SaveSnapshot): void;
+  /**
+   * Takes over what the server stored; edits made since the snapshot stay, as does the history where the save touched
+   * only what was sent. Returns the edits that do not fit the stored map and are not in the editor any more.
+   */
+  adoptSaved(saved: EditorSavedRevision, snapshot: SaveSnapshot): readonly ReceivedEdit[];
   undo(): void;
   redo(): void;
 }

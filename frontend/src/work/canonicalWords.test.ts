@@ -15,7 +15,7 @@ it("names the first elements and counts the others", () => {
 it("tells which imported elements have their ids again", () => {
   const form = { renamed: [lane(12, 7), lane(7, 900)], joined: [], cut: [] };
   expect(canonicalWords(form, ({ id }) => id === 7)).toBe(
-    "Made canonical. 2 ids exchanged: lane 12 is now lane 7.",
+    "Made canonical. 1 id exchanged: lane 12 is now lane 7.",
   );
 });
 

@@ -1,18 +1,23 @@
 /** What bringing an update into its canonical form did, in words. */
-import type { CanonicalForm, RenamedElement, SavedRevision } from "../api/types";
+import type { CanonicalForm, ElementKey, RenamedElement, SavedRevision } from "../api/types";
 import { counted, KIND_WORDS } from "../ui/parts/words";
 
 const MOST_NAMED = 3;
 
+const firstNamed = (names: readonly string[]) => {
+  const rest = names.length - MOST_NAMED;
+  return `${names.slice(0, MOST_NAMED).join(", ")}${rest > 0 ? ` and ${rest} more` : ""}`;
+};
+
+const nameOf = (kind: RenamedElement["kind"], id: number) => `${KIND_WORDS[kind].toLowerCase()} ${id}`;
+
+/** "lane 12, crossing 4, lane 7 and 2 more". */
+export const elementsWords = (elements: readonly Pick<ElementKey, "kind" | "id">[]) =>
+  firstNamed(elements.map(({ kind, id }) => nameOf(kind, id)));
+
 /** "lane 12 is now lane 7, crossing 4 is now crossing 9 and 2 more": which elements have other ids. */
-export function renamedWords(renamed: readonly RenamedElement[]): string {
-  const named = renamed.slice(0, MOST_NAMED).map(({ kind, from, to }) => {
-    const word = KIND_WORDS[kind].toLowerCase();
-    return `${word} ${from} is now ${word} ${to}`;
-  });
-  const rest = renamed.length - named.length;
-  return `${named.join(", ")}${rest > 0 ? ` and ${rest} more` : ""}`;
-}
+export const renamedWords = (renamed: readonly RenamedElement[]) =>
+  firstNamed(renamed.map(({ kind, from, to }) => `${nameOf(kind, from)} is now ${nameOf(kind, to)}`));
 
 /** After a save that told its updates otherwise than they were drawn; empty: it did not. */
 export function retoldWords({
@@ -36,7 +41,7 @@ export function canonicalWords(
   isImported: (element: { kind: RenamedElement["kind"]; id: number }) => boolean,
 ): string {
   const again = renamed.filter(({ kind, to }) => isImported({ kind, id: to }));
-  const ids = again.length > 0 && `${counted(renamed.length, "id")} exchanged: ${renamedWords(again)}`;
+  const ids = again.length > 0 && `${counted(again.length, "id")} exchanged: ${renamedWords(again)}`;
   const facts = [ids, ...seriesWords(joined, cut)].filter((fact) => fact !== false);
   return `Made canonical${facts.length > 0 ? `. ${facts.join("; ")}` : ": the same map, told with fewer changes"}.`;
 }

@@ -1,85 +1,8 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { sessionStore } from "../api/sessionStore";
-import { createEditor } from "../editor";
 import { readDraft, removeDraft } from "./browserStore";
-import { WorkSession } from "./workSession";
-
-const KEY = { account: 1, task: 12 };
-const NOTHING_KEPT = { serverVersion: 0, synced: true, sent: null, keptAt: null };
-
-const points = (y: number) => [0, 10].map((x) => ({ x, y, z: 0 }));
-const lane = {
-  id: 7,
-  is_intersection: false,
-  lane_type: "VEHICLE",
-  left_lane_boundary: points(3),
-  left_lane_mark_type: "NONE",
-  right_lane_boundary: points(0),
-  right_lane_mark_type: "NONE",
-  successors: [],
-  predecessors: [],
-  right_neighbor_id: null,
-  left_neighbor_id: null,
-};
-const repainted = { ...lane, left_lane_mark_type: "SOLID_WHITE" };
-const NO_FINDINGS = { changes: [], updates: [], violations: [] };
-
-interface Sent {
-  path: string;
-  body: Record<string, unknown>;
-}
-type Reply = () => [status: number, body: unknown];
-
-/** A server by its answers; what it was sent is noted. Every check finds nothing. */
-function serverWith(replies: Record<string, Reply>): Sent[] {
-  const sent: Sent[] = [];
-  vi.stubGlobal("fetch", async (request: Request) => {
-    const path = `${request.method} ${new URL(request.url).pathname.split("/").at(-1) ?? ""}`;
-    const text = await request.text();
-    sent.push({ path, body: JSON.parse(text || "{}") as Record<string, unknown> });
-    const [status, body] = replies[path]?.() ?? [200, NO_FINDINGS];
-    if (status === 0) throw new TypeError("Failed to fetch");
-    return new Response(JSON.stringify(body), { status });
-  });
-  return sent;
-}
-
-function openWork(): WorkSession {
-  const map = { lanes: [{ version: 0, attributes: lane }], crossings: [] };
-  const editor = createEditor(
-    {
-      task: { can_edit: true },
-      revision: 0,
-      base: map,
-      changed: { lanes: [], crossings: [] },
-      removed: [],
-      declarations: [],
-    },
-    () => Promise.reject(new Error("no ids are needed")),
-  );
-  const work = new WorkSession(KEY, editor, NOTHING_KEPT);
-  work.start();
-  return work;
-}
-
-const kept = (): [number, unknown] => [200, { version: 31, kept_at: "2026-01-01T00:00:00Z" }];
-const saved = (): [number, unknown] => [
-  201,
-  {
-    task_id: 12,
-    revision: 1,
-    created_at: "2026-01-01T00:00:00Z",
-    changed: { lanes: [{ version: 1, attributes: repainted }], crossings: [] },
-    removed: [],
-    canonical: [],
-    joined: [],
-    cut: [],
-    declarations: [],
-    restored: [],
-    findings: NO_FINDINGS,
-  },
-];
-const state = (work: WorkSession) => work.store.getState();
+import { KEY, kept, openWork, saved, serverWith, state } from "./testServer";
+import type { WorkSession } from "./workSession";
 
 let work: WorkSession;
 beforeEach(() => sessionStore.setState({ session: null }));
@@ -225,27 +148,4 @@ it("keeps a draft although another device has saved since it was begun", async (
   work.editor.actions.setMark(7, "left", "SOLID_WHITE");
   await vi.waitFor(() => expect(state(work).keeping.where).toBe("server"), { timeout: 5_000 });
   expect(sent.filter(({ path }) => path === "PUT draft").map(({ body }) => body.version)).toEqual([0, 9]);
-});
-
-it("leaves no draft behind where settling a stale base leaves nothing of it", async () => {
-  const sent = serverWith({ "PUT draft": kept });
-  work = openWork();
-  work.editor.actions.setMark(7, "left", "SOLID_WHITE");
-  await vi.waitFor(() => expect(state(work).keeping.where).toBe("server"), { timeout: 5_000 });
-  await work.rebase(1, []);
-  expect(await readDraft(KEY)).toBeNull();
-  expect(sent.at(-1)?.path).toBe("DELETE draft");
-});
-
-it("goes on keeping what is drawn where settling a stale base failed", async () => {
-  serverWith({ "PUT draft": kept, "DELETE draft": () => [500, { code: "x", message: "It broke." }] });
-  work = openWork();
-  work.editor.actions.setMark(7, "left", "SOLID_WHITE");
-  await vi.waitFor(() => expect(state(work).keeping.where).toBe("server"), { timeout: 5_000 });
-  await expect(work.rebase(1, [])).rejects.toMatchObject({ message: "It broke." });
-  work.editor.actions.setLaneType(7, "BUS");
-  await vi.waitFor(async () =>
-    expect((await readDraft(KEY))?.edits).toMatchObject([{ attributes: { lane_type: "BUS" } }]),
-  );
-  expect(state(work).edits).toBe(1);
 });

@@ -3,9 +3,10 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { asProblem, type Problem } from "../api/problem";
 import type { Draft, SavedRevision, Violation } from "../api/types";
 import { type SaveBody, saveRevision } from "../api/workspace";
-import type { Edit, Editor, SaveSnapshot } from "../editor";
+import type { Edit, Editor, ReceivedEdit, SaveSnapshot } from "../editor";
 import { backoffMs, pause } from "./backoff";
-import type { WorkKey } from "./browserStore";
+import { parkDraft, type WorkKey } from "./browserStore";
+import { elementsWords } from "./canonicalWords";
 import { Checker, staleBase } from "./checker";
 import { DraftKeeper, type KeptSoFar } from "./draftKeeper";
 import { newUuid } from "./uuid";
@@ -162,7 +163,8 @@ export class WorkSession {
   }
 
   private async adopt(saved: SavedRevision, snapshot: SaveSnapshot): Promise<void> {
-    this.editor.actions.adoptSaved(saved, snapshot);
+    const unfit = this.editor.actions.adoptSaved(saved, snapshot);
+    if (unfit.length > 0) await this.setAside(saved.revision, unfit);
     const draft = this.editor.actions.netDraft();
     const edits = countChanges(draft);
     this.store.setState({ edits, revision: saved.revision, stale: null });
@@ -171,6 +173,22 @@ export class WorkSession {
       this.store.setState({ findings: saved.findings, checking: false, checkProblem: null });
     } else this.checker.note(draft);
     await this.keeper.saved(draft);
+  }
+
+  /** Keeps the edits made during a save that the saved map has no place for. */
+  private async setAside(baseRevision: number, edits: readonly ReceivedEdit[]): Promise<void> {
+    const reason = "edited during a save that changed what they were made on";
+    const names = elementsWords(edits);
+    try {
+      await parkDraft(this.key, { reason, baseRevision, edits, declarations: null });
+      this.editor.actions.say(
+        `What you edited during the save on ${names} does not fit the saved map: it is set aside under History.`,
+      );
+    } catch {
+      this.editor.actions.say(
+        `What you edited during the save on ${names} does not fit the saved map, and this computer could not keep it: do it again.`,
+      );
+    }
   }
 
   private refused(problem: Problem): SaveOutcome {
