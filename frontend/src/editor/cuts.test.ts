@@ -146,6 +146,28 @@ describe("a join", () => {
     expect(editor.actions.netEdits()).toEqual([]);
   });
 
+  test("leaves what was moved a little where the lanes behind and beside it have it", async () => {
+    const editor = open();
+    const [one, other] = await cut(editor, 1, 16, 2);
+    for (const side of ["left", "right"] as const) {
+      const last = (side === "left" ? other.left_lane_boundary : other.right_lane_boundary).length - 1;
+      const [x, y] = [40, side === "left" ? 3.54 : 0.1];
+      editor.actions.moveVertex({ kind: "lane_segment", id: other.id, side, index: last }, { x, y });
+    }
+    expect(reasonOf(editor.actions.joinLane(one.id))).toBe("");
+    expect(at(lane(editor, 1).left_lane_boundary, -1)).toEqual([40, 3.54]);
+    expect(brokenInvariants(editor.getState().base, editor.getState().current)).toEqual([]);
+  });
+
+  test("on vertices of the imported line keeps them", async () => {
+    const editor = open();
+    const [one, other] = await cut(editor, 1, 10, 2);
+    await editor.actions.cutLane(other.id, { x: 20, y: 2 }, REACH);
+    editor.actions.joinLane(one.id);
+    editor.actions.joinLane(one.id);
+    expect(editor.actions.netEdits()).toEqual([]);
+  });
+
   test("of two of three parts is a part still", async () => {
     const editor = open();
     const [one, other] = await cut(editor, 1, 16, 2);

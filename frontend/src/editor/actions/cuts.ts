@@ -1,21 +1,17 @@
 /** Cutting a lane where a property changes half-way, joining what was cut, and taking a cut back. */
 import type { MapDocument } from "../document";
 import type { Lane, Line, Place, Side } from "../elements";
-import { cutLane, jointAt } from "../joint";
-import { boundary, withBoundary } from "../lines";
+import { cutLane, jointAt, SAME_PLACE_METRES } from "../joint";
+import { boundary, sameLine, samePlace, withBoundary } from "../lines";
 import { partsOf } from "../parts";
 import { GONE, type Planned, refuse, selectionOf } from "../plan";
 import { planOf } from "../planOf";
-import { distance, hausdorff, nearestOnSegment } from "../polyline";
+import { distance, nearestOnLine, nearestOnSegment } from "../polyline";
 import { linkedLanes, occurrencesAt } from "../topology";
 import { Workpiece } from "../workpiece";
 import { exchangeLanes } from "./series";
 
 const SIDES: readonly Side[] = ["left", "right"];
-/** Below it a boundary has not moved (change-mapping §3). */
-const MOVED_METRES = 0.05;
-/** A joint this near to the straight line past it leaves no vertex behind. */
-const ON_LINE_METRES = 0.02;
 
 /** How many new ids a cut of the lane takes: the parts of an imported lane are two lanes under new ids. */
 export function idsForCut(base: MapDocument, id: number): number {
@@ -116,23 +112,34 @@ function joinedLane(base: MapDocument, document: MapDocument, one: Lane, other: 
   const lasts = one.part_of !== null && partsOf(document, one.part_of).length === 2;
   let joined = one;
   for (const side of SIDES) {
-    const line = joinedLine(document, [one, other], side);
-    const before = whole && boundary(whole, side);
-    const same = lasts && before !== undefined && hausdorff(line, before) <= MOVED_METRES;
-    joined = withBoundary(joined, side, same ? before : line);
+    const imported = whole && boundary(whole, side);
+    joined = withBoundary(joined, side, joinedLine(document, [one, other], side, imported));
   }
   return lasts && whole !== undefined ? { ...joined, id: whole.id, part_of: whole.part_of } : joined;
 }
 
-function joinedLine(document: MapDocument, [one, other]: readonly [Lane, Lane], side: Side): Line {
+/** The imported line itself where nothing but the joint has come to it. */
+function joinedLine(
+  document: MapDocument,
+  [one, other]: readonly [Lane, Lane],
+  side: Side,
+  imported: Line | undefined,
+): Line {
   const before = boundary(one, side);
   const after = boundary(other, side);
   const joint = before.at(-1);
   const [from, to] = [before.at(-2), after[1]];
   if (joint === undefined || from === undefined || to === undefined) return before;
-  const needed = occurrencesAt(document, joint).some(({ lane }) => lane !== one.id && lane !== other.id);
-  const bends = distance(joint, nearestOnSegment(joint, from, to)) > ON_LINE_METRES;
-  return needed || bends ? [...before, ...after.slice(1)] : [...before.slice(0, -1), ...after.slice(1)];
+  const straight = [...before.slice(0, -1), ...after.slice(1)];
+  if (imported !== undefined && nearestOnLine(joint, imported).distance <= SAME_PLACE_METRES) {
+    const others = imported.filter((point) => distance(point, joint) > SAME_PLACE_METRES);
+    if (sameLine(straight, others)) return imported;
+  }
+  const needed =
+    occurrencesAt(document, joint).some(({ lane }) => lane !== one.id && lane !== other.id) ||
+    imported?.some((point) => samePlace(point, joint));
+  const bends = distance(joint, nearestOnSegment(joint, from, to)) > SAME_PLACE_METRES;
+  return needed || bends ? [...before, ...after.slice(1)] : straight;
 }
 
 /** Takes the parts of a cut lane out and puts the imported lane back in their place. */
