@@ -198,6 +198,17 @@ test("reverting a part takes the cut back", async () => {
   expect(editor.actions.netEdits()).toEqual([]);
 });
 
+test("reverting a part whose other parts were deleted or unlinked gives the whole lane alone", async () => {
+  for (const spoil of ["delete", "unlink"] as const) {
+    const editor = open();
+    const [one, other] = await cut(editor, 1, 16, 2);
+    if (spoil === "delete") editor.actions.deleteElement({ kind: "lane_segment", id: other.id });
+    else editor.actions.unlink(one.id, other.id);
+    editor.actions.revertElement({ kind: "lane_segment", id: one.id });
+    expect(editor.actions.netEdits()).toEqual([]);
+  }
+});
+
 test("a drawn lane turned round keeps its paint on the ground and joins what fits its new direction", async () => {
   const editor = open();
   const drawn = await editor.actions.insertLaneBeside(1, "right");

@@ -9,6 +9,7 @@ import { planOf } from "../planOf";
 import { distance, nearestOnLine, nearestOnSegment } from "../polyline";
 import { linkedLanes, occurrencesAt } from "../topology";
 import { Workpiece } from "../workpiece";
+import { removeLane } from "./links";
 import { exchangeLanes } from "./series";
 
 const SIDES: readonly Side[] = ["left", "right"];
@@ -142,8 +143,14 @@ function joinedLine(
   return needed || bends ? [...before, ...after.slice(1)] : straight;
 }
 
-/** Takes the parts of a cut lane out and puts the imported lane back in their place. */
+/**
+ * Takes the parts of a cut lane out and puts the imported lane back in their place. Parts that are no series any more
+ * are only taken out.
+ */
 export function undoCut(work: Workpiece, whole: Lane): void {
   const parts = partsOf(work.document, whole.id);
   if (parts.length > 0) exchangeLanes(work, parts, [whole]);
+  else
+    for (const { id, part_of } of work.document.lanes.values())
+      if (part_of === whole.id) removeLane(work, id);
 }
