@@ -85,7 +85,7 @@ def test_a_stored_declaration_stops_a_later_save_that_makes_it_wrong(desk: Desk)
     back = desk.save(repaint(11, "NONE"), base=1, declarations=[PAINTED])
     (violation,) = back.json()["facts"]["violations"]
     assert violation["fixes"][0]["declarations"] == []
-    assert desk.save(repaint(11, "NONE"), base=1).status_code == 201
+    assert desk.save(repaint(11, "NONE"), base=1, declarations=[]).status_code == 201
 
 
 def test_the_same_uuid_with_other_declarations_is_refused(desk: Desk) -> None:
@@ -183,3 +183,11 @@ def test_a_declaration_that_is_only_in_the_draft_stops_the_submit(desk: Desk) ->
     version = desk.open()["draft"]["version"]
     desk.keep_draft(base=1, version=version, declarations=[PAINTED])
     assert desk.client.post(f"{desk.address}/steps", json=submit).status_code == 200
+
+
+def test_declarations_that_are_left_out_stay_as_they_are(desk: Desk) -> None:
+    assert desk.save(repaint(11), declarations=[PAINTED]).status_code == 201
+    assert desk.save(remove_crossing(), base=1).status_code == 201
+    assert desk.open()["declarations"] == [PAINTED]
+    assert desk.keep_draft(repaint(12), base=2).status_code == 200
+    assert desk.open()["draft"]["declarations"] == [PAINTED]

@@ -117,6 +117,14 @@ def test_a_stale_edit_is_told_with_base_mine_and_theirs(desk: Desk, session: Ses
     assert desk.check(repaint(11, "SOLID_WHITE")).json()["code"] == "save.stale"
 
 
+def test_a_stale_edit_is_told_with_what_others_declared(desk: Desk) -> None:
+    macros = {"shape": False, "appearance": True, "function": False, "lane_graph": False, "lane_number": 0}
+    theirs = {"elements": [{"kind": "lane_segment", "id": 11}], "macros": macros}
+    assert desk.save(repaint(11, "DASHED_WHITE"), declarations=[theirs]).status_code == 201
+    refused = desk.save(repaint(11, "SOLID_WHITE"), base=0, declarations=[])
+    assert refused.json()["facts"]["declarations"] == [theirs]
+
+
 def test_the_same_edit_made_twice_is_no_conflict(desk: Desk) -> None:
     desk.saved(repaint(11))
     answer = desk.saved(repaint(11), repaint(12))

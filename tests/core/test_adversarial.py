@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from tests.core.worlds import straight, world
 
 from lanewright.core.canonical import canonicalise
 from lanewright.core.diff import diff, invert
@@ -66,3 +68,29 @@ def test_no_height_is_left_open(state):
         sides = ("left_boundary", "right_boundary")
         names = sides if element.key.kind is ElementKind.LANE_SEGMENT else ("edge1", "edge2")
         assert not any(math.isnan(z) for name in names for _, _, z in getattr(element, name))
+
+
+def test_a_cut_whose_parts_have_no_length_is_not_made_alike():
+    base = world(straight(7, 0, 100))
+    point = ((500.0, 500.0, 0.0),) * 2
+    parts = [
+        dataclasses.replace(straight(101, 0, 50, successors=(102,)), left_boundary=point, part_of=7),
+        dataclasses.replace(
+            straight(102, 50, 100, predecessors=(101,)), left_boundary=point, left_mark=Mark.NONE, part_of=7
+        ),
+    ]
+    edited = restore(base, world(*parts))
+    assert "geometry.invalid" in [one.code for one in check(base, edited)]
+    canonicalise(base, edited)
+
+
+def test_lanes_of_no_length_in_series_can_be_compared():
+    point = ((500.0, 500.0, 0.0),) * 2
+    broken = [
+        dataclasses.replace(straight(1, 0, 50, successors=(2,)), left_boundary=point),
+        dataclasses.replace(straight(2, 50, 100, predecessors=(1,)), left_boundary=point),
+    ]
+    sound = [straight(11, 0, 50, successors=(12,)), straight(12, 50, 100, predecessors=(11,))]
+    for base, edited in ((broken, sound), (sound, broken)):
+        check_document(check(world(*base), world(*edited)))
+        canonicalise(world(*base), world(*edited))

@@ -123,7 +123,8 @@ def _goal(was: Run, now: Run, joint: Station) -> Station:
     (a, away_a), (b, away_b) = along(now.whole.left_boundary, left), along(now.whole.right_boundary, right)
     if max(away_a, away_b) <= NEAR_M:
         return (a, b)
-    shares = (joint[0] / was.ends[0], joint[1] / was.ends[1])
+    # A boundary of no length (all its points are one) has no fractions.
+    shares = [part / whole if whole > 0 else 0.0 for part, whole in zip(joint, was.ends, strict=True)]
     return (shares[0] * now.ends[0], shares[1] * now.ends[1])
 
 

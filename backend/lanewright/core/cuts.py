@@ -60,6 +60,7 @@ def _legal(parts: Sequence[LaneSegment]) -> bool:
 
 
 def _cut(state: MapState, lane: int, parts: Sequence[LaneSegment]) -> MapState:
+    """The state with that lane cut where the parts meet; as it is where a boundary has no length to be cut."""
     whole = Run.of([state.lanes[lane]])
     stations = [whole.station_of(part.left_boundary[-1], part.right_boundary[-1]) for part in parts[:-1]]
     ends = whole.ends
@@ -67,6 +68,8 @@ def _cut(state: MapState, lane: int, parts: Sequence[LaneSegment]) -> MapState:
     if any(one[0] >= other[0] or one[1] >= other[1] for one, other in itertools.pairwise(steps)):
         lengths = Run.of(parts)
         total = lengths.ends
+        if 0.0 in total:
+            return state
         stations = [(ends[0] * joint[0] / total[0], ends[1] * joint[1] / total[1]) for joint in lengths.joints]
     pieces = [
         dataclasses.replace(piece, id=part.id, part_of=lane)

@@ -57,7 +57,7 @@ def proposal(
     *,
     base_revision: int,
     edits: Sequence[Edit],
-    declared: Sequence[DeclaredMacros] = (),
+    declared: Sequence[DeclaredMacros] | None = None,
 ) -> dict[str, Any]:
     """What takes the draft to its canonical form, as the JSON of ``CanonicalOut``; nothing is written.
 

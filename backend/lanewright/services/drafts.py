@@ -24,10 +24,12 @@ def keep_draft(
     *,
     base_revision: int,
     edits: list[Any],
-    declared: Sequence[DeclaredMacros],
+    declared: Sequence[DeclaredMacros] | None,
     seen_version: int,
 ) -> tuple[int, datetime.datetime]:
     """Keeps a draft over the version that its writer has seen (0: none); returns the new version and the time.
+
+    ``declared`` None: the declarations of the base revision.
 
     Whatever state the task is in: nothing that somebody drew is ever turned away.
 
@@ -45,13 +47,14 @@ def keep_draft(
             "Reload the task.",
             Place(key="base_revision"),
         )
+    stated = declared_at(session, task.line_id, base_revision) if declared is None else in_order(declared)
     kept = drafts.keep(
         session,
         task_id=task_id,
         account_id=actor.id,
         base_revision=base_revision,
         edits=edits,
-        declarations=documents(in_order(declared)),
+        declarations=documents(stated),
         seen_version=seen_version,
     )
     if kept is None:

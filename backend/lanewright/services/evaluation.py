@@ -63,17 +63,18 @@ def evaluate(
     account_id: int,
     base_revision: int,
     edits: Sequence[Edit],
-    declared: Sequence[DeclaredMacros],
+    declared: Sequence[DeclaredMacros] | None,
 ) -> Evaluation:
     """What ``edits``, made on ``base_revision``, lead to at the head of the task.
 
     Edits of elements that nobody else changed since merge; the same edit made twice counts once. So do declarations:
-    ``declared`` is all of them.
+    ``declared`` is all of them (None: those of the base revision).
 
     Raises:
         InvalidInput: an edit cannot be applied, names its element twice, brings in an id that is not the account's, or
             a part of what the base does not have.
-        Conflict: ``save.stale``, with base, mine and theirs of every element that was changed by others meanwhile.
+        Conflict: ``save.stale``, with base, mine and theirs of every element that was changed by others meanwhile,
+            and the declarations at the head.
     """
     head_revision = task.line.head
     if base_revision > head_revision:
@@ -87,13 +88,18 @@ def evaluate(
     base = line_maps.base_map(session, task.line_id)
     head = line_maps.map_at(session, task.line_id, head_revision, head_revision)
     head_declared = declarations.declared_at(session, task.line_id, head_revision)
-    seen, stated = head, declarations.in_order(declared)
+    _require_known_wholes(edits, base.state)
+    seen, seen_declared = head, head_declared
     if base_revision != head_revision:
         seen = line_maps.map_at(session, task.line_id, base_revision, head_revision)
-        edits = _without_settled(edits, seen.state, head.state, head_revision, ground)
+        conflicts = _contradicted(edits, seen.state, head.state, ground)
+        if conflicts:
+            raise _stale(head_revision, conflicts, head_declared)
+        edits = [edit for edit in edits if seen.state.get(edit.key) == head.state.get(edit.key)]
         seen_declared = declarations.declared_at(session, task.line_id, base_revision)
+    stated = seen_declared if declared is None else declarations.in_order(declared)
+    if base_revision != head_revision:
         stated = declarations.merged(seen_declared, head_declared, stated)
-    _require_known_wholes(edits, base.state)
     asked = fill_elevation(apply_edits(head.state, edits, drawn=True), ground)
     edited = restore(base.state, asked)
     new = [element for element in edited if element.key not in head.state]
@@ -131,37 +137,32 @@ def _require_known_wholes(edits: Sequence[Edit], base: MapState) -> None:
             )
 
 
-def _without_settled(
-    edits: Sequence[Edit], seen: MapState, head: MapState, head_revision: int, ground: Ground
-) -> list[Edit]:
-    """The edits of elements that are still as the editor saw them; raises Conflict for what others made different."""
+def _contradicted(edits: Sequence[Edit], seen: MapState, head: MapState, ground: Ground) -> list[dict[str, Any]]:
+    """The edited elements that others made different meanwhile, as the facts of ``save.stale`` tell them."""
     mine = fill_elevation(apply_edits(seen, edits, drawn=True), ground)
-    conflicts: list[dict[str, Any]] = []
-    open_edits: list[Edit] = []
-    for edit in edits:
-        key = edit.key
-        if seen.get(key) == head.get(key):
-            open_edits.append(edit)
-        elif not _agree(mine.get(key), head.get(key)):
-            conflicts.append(
-                {
-                    "kind": key.kind,
-                    "id": key.id,
-                    "base": _attributes(seen.get(key)),
-                    "mine": _attributes(mine.get(key)),
-                    "theirs": _attributes(head.get(key)),
-                }
-            )
-    if conflicts:
-        count = "1 element" if len(conflicts) == 1 else f"{len(conflicts)} elements"
-        raise Conflict(
-            f"Somebody saved before you: {count} that you edited changed up to revision {head_revision}.",
-            mend="Choose yours or theirs for each, then save again on the newest revision.",
-            code="save.stale",
-            head=head_revision,
-            conflicts=conflicts,
-        )
-    return open_edits
+    return [
+        {
+            "kind": key.kind,
+            "id": key.id,
+            "base": _attributes(seen.get(key)),
+            "mine": _attributes(mine.get(key)),
+            "theirs": _attributes(head.get(key)),
+        }
+        for key in (edit.key for edit in edits)
+        if seen.get(key) != head.get(key) and not _agree(mine.get(key), head.get(key))
+    ]
+
+
+def _stale(head_revision: int, conflicts: list[dict[str, Any]], head_declared: Declared) -> Conflict:
+    count = "1 element" if len(conflicts) == 1 else f"{len(conflicts)} elements"
+    return Conflict(
+        f"Somebody saved before you: {count} that you edited changed up to revision {head_revision}.",
+        mend="Choose yours or theirs for each, then save again on the newest revision.",
+        code="save.stale",
+        head=head_revision,
+        conflicts=conflicts,
+        declarations=declarations.documents(head_declared),
+    )
 
 
 def _agree(mine: Element | None, theirs: Element | None) -> bool:

@@ -35,13 +35,13 @@ def save(
     *,
     base_revision: int,
     edits: Sequence[Edit],
-    declared: Sequence[DeclaredMacros] = (),
+    declared: Sequence[DeclaredMacros] | None = None,
     changeset_uuid: uuid.UUID,
     note: str,
 ) -> bytes:
     """Saves one changeset and returns its answer, the JSON of ``SavedRevision``; a replay gets the same bytes again.
 
-    ``declared``: all declarations of the task's line, not only new ones.
+    ``declared``: all declarations of the task's line, not only new ones; None: those of the base revision.
 
     Raises:
         NotFound: no such task for this actor.
@@ -79,7 +79,7 @@ def check(
     *,
     base_revision: int,
     edits: Sequence[Edit],
-    declared: Sequence[DeclaredMacros] = (),
+    declared: Sequence[DeclaredMacros] | None = None,
 ) -> dict[str, Any]:
     """What a save of these edits would be told, as the JSON of ``Findings``; nothing is written.
 
@@ -185,9 +185,11 @@ def _answer(
     return orjson.dumps(document, option=orjson.OPT_UTC_Z | orjson.OPT_NAIVE_UTC)
 
 
-def _body_sha256(base_revision: int, edits: Sequence[Edit], declared: Sequence[DeclaredMacros], note: str) -> bytes:
+def _body_sha256(
+    base_revision: int, edits: Sequence[Edit], declared: Sequence[DeclaredMacros] | None, note: str
+) -> bytes:
     """Hash of what a changeset says, whatever the order of keys and the spaces in its JSON."""
     body = {"base_revision": base_revision, "edits": [edit_document(edit) for edit in edits], "note": note}
-    if declared:  # left out otherwise: changesets from before there were declarations have the hash they had
+    if declared is not None:
         body["declarations"] = documents(declared)
     return hashlib.sha256(orjson.dumps(body, option=orjson.OPT_SORT_KEYS)).digest()

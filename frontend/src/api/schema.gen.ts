@@ -383,7 +383,7 @@ export interface paths {
          *     Where the check notes ``identity.not_canonical``, the canonical form is stored; ``canonical`` says what is called
          *     otherwise now. ``declarations`` replace all that stood before.
          *
-         *     409 ``save.stale``: others changed the same elements (facts.conflicts: base, mine, theirs).
+         *     409 ``save.stale``: others changed the same elements (facts.conflicts: base, mine, theirs; facts.declarations: theirs).
          *     409 ``save.empty``: nothing differs. 409 ``save.replayed_differently``: the UUID was saved with other contents.
          *     409 ``task.state``: the task is not open for edits.
          *     422 ``save.violations``: the rules refuse it (facts.violations, with fixes).
@@ -706,9 +706,9 @@ export interface components {
             base_revision: number;
             /**
              * Declarations
-             * @description All declarations of the task, not only new ones: the last list sent stands.
+             * @description All declarations of the task, not only new ones: the last list sent stands. Left out: those of the base revision.
              */
-            declarations?: components["schemas"]["DeclarationIn"][];
+            declarations?: components["schemas"]["DeclarationIn"][] | null;
             /** Edits */
             edits: components["schemas"]["EditIn"][];
         };
@@ -777,9 +777,9 @@ export interface components {
             base_revision: number;
             /**
              * Declarations
-             * @description All declarations of the task, not only new ones: the last list sent stands.
+             * @description All declarations of the task, not only new ones: the last list sent stands. Left out: those of the base revision.
              */
-            declarations?: components["schemas"]["DeclarationIn"][];
+            declarations?: components["schemas"]["DeclarationIn"][] | null;
             /** Edits */
             edits: components["schemas"]["EditIn"][];
             /** Version */
@@ -1191,9 +1191,9 @@ export interface components {
             changeset_uuid: string;
             /**
              * Declarations
-             * @description All declarations of the task, not only new ones: the last list sent stands.
+             * @description All declarations of the task, not only new ones: the last list sent stands. Left out: those of the base revision.
              */
-            declarations?: components["schemas"]["DeclarationIn"][];
+            declarations?: components["schemas"]["DeclarationIn"][] | null;
             /** Edits */
             edits: components["schemas"]["EditIn"][];
             /**

@@ -64,11 +64,6 @@ def test_broken_another_crossing_under_the_old_id():
     assert after.lanes == edited.lanes
 
 
-def test_edge_a_lane_up_to_three_metres_away_is_the_same():
-    assert codes(world(BASE.lanes[1], straight(9, 0, 60, 6.4, 9.9))) == []
-    assert codes(world(BASE.lanes[1], straight(9, 0, 60, 6.6, 10.1))) == [CODE]
-
-
 def test_edge_of_several_retired_ids_each_is_judged_by_itself():
     #  8 is nowhere, 9 came back as it was, 10 stands for something else, 1 is a survivor
     retired = {
@@ -90,3 +85,14 @@ def test_edge_the_fix_takes_no_id_that_was_retired():
     edited = world(BASE.lanes[1], straight(9, 200, 260))
     (violation,) = check(BASE, edited, Claims(retired=retired))
     assert violation.fixes[0].title == "Call it lane 12"
+
+
+def test_broken_a_lane_beside_behind_or_oncoming_under_the_old_id():
+    beside, behind = straight(9, 0, 60, 3.5, 7), straight(9, 60, 120)
+    oncoming = straight(9, 60, 0, 3.5, 0)
+    for other in (beside, behind, oncoming):
+        assert CODE in codes(world(BASE.lanes[1], other)), other
+
+
+def test_clean_the_lane_comes_back_a_little_elsewhere():
+    assert codes(world(BASE.lanes[1], straight(9, 2, 66, 0.5, 4))) == []

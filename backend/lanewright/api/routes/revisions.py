@@ -54,7 +54,7 @@ def save(task_id: RowNumber, body: SaveIn, actor: AnyActor, session: SessionDep)
     Where the check notes ``identity.not_canonical``, the canonical form is stored; ``canonical`` says what is called
     otherwise now. ``declarations`` replace all that stood before.
 
-    409 ``save.stale``: others changed the same elements (facts.conflicts: base, mine, theirs).
+    409 ``save.stale``: others changed the same elements (facts.conflicts: base, mine, theirs; facts.declarations: theirs).
     409 ``save.empty``: nothing differs. 409 ``save.replayed_differently``: the UUID was saved with other contents.
     409 ``task.state``: the task is not open for edits.
     422 ``save.violations``: the rules refuse it (facts.violations, with fixes).

@@ -55,11 +55,15 @@ class DeclarationIn(Incoming):
 
 
 Declarations = Annotated[
-    list[DeclarationIn],
-    Field(max_length=200, description="All declarations of the task, not only new ones: the last list sent stands."),
+    list[DeclarationIn] | None,
+    Field(
+        max_length=200,
+        description="All declarations of the task, not only new ones: the last list sent stands. Left out: those of "
+        "the base revision.",
+    ),
 ]
 
 
-def to_core(declarations: Iterable[DeclarationIn]) -> tuple[DeclaredMacros, ...]:
-    """The declarations as values of the domain."""
-    return tuple(declaration.to_core() for declaration in declarations)
+def to_core(declarations: Iterable[DeclarationIn] | None) -> tuple[DeclaredMacros, ...] | None:
+    """The declarations as values of the domain; None: none were sent."""
+    return None if declarations is None else tuple(declaration.to_core() for declaration in declarations)

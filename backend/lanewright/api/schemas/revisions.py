@@ -21,7 +21,7 @@ class CheckIn(Incoming):
 
     base_revision: RevisionNumber
     edits: list[EditIn] = Field(max_length=5000)
-    declarations: Declarations = Field(default_factory=list)
+    declarations: Declarations = None
 
 
 class SaveIn(CheckIn):

@@ -132,7 +132,7 @@ class DraftIn(Incoming):
 
     base_revision: RevisionNumber
     edits: list[EditIn] = Field(max_length=5000)
-    declarations: Declarations = Field(default_factory=list)
+    declarations: Declarations = None
     version: RevisionNumber
 
 

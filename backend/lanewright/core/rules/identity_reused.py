@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
-from lanewright.core.comparison import Comparison, same_crossing
-from lanewright.core.elements import Element, ElementKey, ElementKind
-from lanewright.core.geometry import apart_m, polygon, readable_element
+from lanewright.core.comparison import SAME_CROSSING_OVERLAP, Comparison
+from lanewright.core.elements import Element, ElementKey, ElementKind, LaneSegment
+from lanewright.core.geometry import overlap, polygon, readable_element
 from lanewright.core.identity import fresh_id, renamed
-from lanewright.core.places import FAR_M
 from lanewright.core.rules.rule import Remedy, Rule
 from lanewright.core.violations import Severity, Violation
 
@@ -37,11 +37,19 @@ def find(comparison: Comparison) -> Iterator[Violation]:
 
 
 def _same(comparison: Comparison, was: Element, key: ElementKey) -> bool:
-    """Whether the element stands where the retired one stood."""
-    before, now = polygon(was), comparison.shape(key, edited=True)
-    if key.kind is ElementKind.PEDESTRIAN_CROSSING:
-        return same_crossing(before, now)
-    return apart_m(before, now) <= FAR_M
+    """Whether the element stands where the retired one stood; a lane must lead the same way, too."""
+    if overlap(polygon(was), comparison.shape(key, edited=True)) < SAME_CROSSING_OVERLAP:
+        return False
+    now = comparison.edited.get(key)
+    return not (isinstance(was, LaneSegment) and isinstance(now, LaneSegment)) or _same_way(was, now)
+
+
+def _same_way(was: LaneSegment, now: LaneSegment) -> bool:
+    """Whether the lane's start is not the other's end: lanes of both directions may lie on each other."""
+    start, finish = was.left_boundary[0], was.left_boundary[-1]
+    first, last = now.left_boundary[0], now.left_boundary[-1]
+    straight = math.dist(start[:2], first[:2]) + math.dist(finish[:2], last[:2])
+    return straight <= math.dist(start[:2], last[:2]) + math.dist(finish[:2], first[:2])
 
 
 def remedies(comparison: Comparison, violation: Violation) -> Iterator[Remedy]:
