@@ -1,29 +1,8 @@
 import { describe, expect, test } from "vitest";
-import { elementOf } from "./document";
-import { equalElements } from "./equality";
 import { baseCutAlike } from "./parts";
-import { createEditor } from "./store";
+import { cut, lane, type Opened, open, partsOf, REACH } from "./testCuts";
 import { brokenInvariants } from "./testInvariants";
-import { at, idBlocks, reasonOf, workspaceOf } from "./testRoad";
-
-const open = () => createEditor(workspaceOf(), idBlocks());
-type Opened = ReturnType<typeof open>;
-const lane = (editor: Opened, id: number) => {
-  const found = editor.getState().current.lanes.get(id);
-  if (found === undefined) throw new Error(`no lane ${id}`);
-  return found;
-};
-const partsOf = (editor: Opened, whole: number) =>
-  [...editor.getState().current.lanes.values()].filter(({ part_of }) => part_of === whole);
-const REACH = 0.5;
-
-async function cut(editor: Opened, id: number, x: number, y: number) {
-  const done = await editor.actions.cutLane(id, { x, y }, REACH);
-  expect(reasonOf(done)).toBe("");
-  const [one, other] = partsOf(editor, id);
-  if (one === undefined || other === undefined) throw new Error("not cut");
-  return [one, other] as const;
-}
+import { at, reasonOf } from "./testRoad";
 
 describe("a cut", () => {
   test("gives two parts in series in the lane's place, square across it and rounded to the centimetre", async () => {
@@ -130,83 +109,6 @@ describe("a cut", () => {
     expect(reasonOf(await editor.actions.cutLane(1, { x: 0.2, y: 2 }, 0.1))).toContain("ends");
     expect(editor.getState().history.done).toEqual([]);
   });
-});
-
-describe("a join", () => {
-  test("of the parts gives back the imported lane", async () => {
-    const editor = open();
-    const [one] = await cut(editor, 3, 16, 5);
-    expect(reasonOf(editor.actions.joinLane(one.id))).toBe("");
-    const { base, current } = editor.getState();
-    expect(current.lanes.size).toBe(base.lanes.size);
-    for (const id of base.lanes.keys()) {
-      const key = { kind: "lane_segment", id } as const;
-      expect(equalElements(elementOf(base, key), elementOf(current, key))).toBe(true);
-    }
-    expect(editor.actions.netEdits()).toEqual([]);
-  });
-
-  test("leaves what was moved a little where the lanes behind and beside it have it", async () => {
-    const editor = open();
-    const [one, other] = await cut(editor, 1, 16, 2);
-    for (const side of ["left", "right"] as const) {
-      const last = (side === "left" ? other.left_lane_boundary : other.right_lane_boundary).length - 1;
-      const [x, y] = [40, side === "left" ? 3.54 : 0.1];
-      editor.actions.moveVertex({ kind: "lane_segment", id: other.id, side, index: last }, { x, y });
-    }
-    expect(reasonOf(editor.actions.joinLane(one.id))).toBe("");
-    expect(at(lane(editor, 1).left_lane_boundary, -1)).toEqual([40, 3.54]);
-    expect(brokenInvariants(editor.getState().base, editor.getState().current)).toEqual([]);
-  });
-
-  test("on vertices of the imported line keeps them", async () => {
-    const editor = open();
-    const [one, other] = await cut(editor, 1, 10, 2);
-    await editor.actions.cutLane(other.id, { x: 20, y: 2 }, REACH);
-    editor.actions.joinLane(one.id);
-    editor.actions.joinLane(one.id);
-    expect(editor.actions.netEdits()).toEqual([]);
-  });
-
-  test("of two of three parts is a part still", async () => {
-    const editor = open();
-    const [one, other] = await cut(editor, 1, 16, 2);
-    await editor.actions.cutLane(other.id, { x: 24, y: 2 }, REACH);
-    editor.actions.joinLane(one.id);
-    expect(partsOf(editor, 1).map(({ id }) => id)).toContain(one.id);
-    expect(at(lane(editor, one.id).left_lane_boundary, -1)).toEqual([24, 3.51]);
-  });
-
-  test("is refused where the parts differ, in words", async () => {
-    const editor = open();
-    const [one, other] = await cut(editor, 1, 16, 2);
-    editor.actions.setLaneType(other.id, "BUS");
-    for (const { id } of [one, other])
-      expect(reasonOf(editor.actions.joinLane(id))).toContain("differ in the type");
-  });
-
-  test("of imported lanes is refused", () => {
-    expect(reasonOf(open().actions.joinLane(3))).toContain("two lanes");
-  });
-});
-
-test("reverting a part takes the cut back", async () => {
-  const editor = open();
-  const [one, other] = await cut(editor, 1, 16, 2);
-  editor.actions.setMark(other.id, "right", "DASHED_WHITE");
-  editor.actions.revertElement({ kind: "lane_segment", id: one.id });
-  expect(editor.actions.netEdits()).toEqual([]);
-});
-
-test("reverting a part whose other parts were deleted or unlinked gives the whole lane alone", async () => {
-  for (const spoil of ["delete", "unlink"] as const) {
-    const editor = open();
-    const [one, other] = await cut(editor, 1, 16, 2);
-    if (spoil === "delete") editor.actions.deleteElement({ kind: "lane_segment", id: other.id });
-    else editor.actions.unlink(one.id, other.id);
-    editor.actions.revertElement({ kind: "lane_segment", id: one.id });
-    expect(editor.actions.netEdits()).toEqual([]);
-  }
 });
 
 test("a drawn lane turned round keeps its paint on the ground and joins what fits its new direction", async () => {

@@ -11,7 +11,7 @@ export interface Joint {
 }
 
 /** No part is shorter on either side. */
-const SHORTEST_PART_METRES = 0.5;
+export const SHORTEST_PART_METRES = 0.5;
 /** Vertices farther than this from the click are never taken for the joint. */
 const LONGEST_REACH_METRES = 1;
 /** A vertex this near to the joint gives way to it; a joint this near to a line is on it. */

@@ -1,16 +1,18 @@
 /** Cutting a lane where a property changes half-way, joining what was cut, and taking a cut back. */
 import type { MapDocument } from "../document";
 import type { Lane, Line, Place, Side } from "../elements";
-import { cutLane, jointAt, SAME_PLACE_METRES } from "../joint";
+import { cutLane, jointAt, SAME_PLACE_METRES, SHORTEST_PART_METRES, stationOf } from "../joint";
 import { boundary, sameLine, samePlace, withBoundary } from "../lines";
 import { partsOf } from "../parts";
 import { GONE, type Planned, refuse, selectionOf } from "../plan";
 import { planOf } from "../planOf";
-import { distance, nearestOnLine, nearestOnSegment } from "../polyline";
+import { at, distance, lengthOf, nearestOnLine, nearestOnSegment } from "../polyline";
 import { linkedLanes, occurrencesAt } from "../topology";
 import { Workpiece } from "../workpiece";
 import { removeLane } from "./links";
 import { exchangeLanes } from "./series";
+
+type Way = "before" | "after";
 
 const SIDES: readonly Side[] = ["left", "right"];
 
@@ -77,7 +79,7 @@ export function planJoin(base: MapDocument, document: MapDocument, id: number): 
 }
 
 /** The lane that alone follows (precedes) another, and that it alone precedes (follows). */
-function onlyLink(document: MapDocument, lane: Lane, way: "before" | "after"): Lane | null {
+function onlyLink(document: MapDocument, lane: Lane, way: Way): Lane | null {
   const others = [...linkedLanes(document, lane.id, way)];
   const [other = -1] = others;
   const back = linkedLanes(document, other, way === "after" ? "before" : "after");
@@ -110,13 +112,28 @@ function areParts(base: MapDocument, one: Lane, other: Lane): boolean {
 /** The whole imported lane when these were its last two parts, else a lane under the first one's id. */
 function joinedLane(base: MapDocument, document: MapDocument, one: Lane, other: Lane): Lane {
   const whole = one.part_of === null ? undefined : base.lanes.get(one.part_of);
-  const lasts = one.part_of !== null && partsOf(document, one.part_of).length === 2;
+  const lasts =
+    whole !== undefined &&
+    partsOf(document, whole.id).length === 2 &&
+    reaches(base, document, one, whole, "before") &&
+    reaches(base, document, other, whole, "after");
   let joined = one;
   for (const side of SIDES) {
     const imported = whole && boundary(whole, side);
     joined = withBoundary(joined, side, joinedLine(document, [one, other], side, imported));
   }
-  return lasts && whole !== undefined ? { ...joined, id: whole.id, part_of: whole.part_of } : joined;
+  return lasts ? { ...joined, id: whole.id, part_of: whole.part_of } : joined;
+}
+
+/** Whether a part lies at the whole lane's end; where a part is missing, it does not. */
+function reaches(base: MapDocument, document: MapDocument, part: Lane, whole: Lane, way: Way): boolean {
+  const imported = linkedLanes(base, whole.id, way);
+  if ([...linkedLanes(document, part.id, way)].some((id) => imported.has(id))) return true;
+  return SIDES.every((side) => {
+    const line = boundary(whole, side);
+    const station = stationOf(line, at(boundary(part, side), way === "before" ? 0 : -1));
+    return (way === "before" ? station : lengthOf(line) - station) < SHORTEST_PART_METRES;
+  });
 }
 
 /** The imported line itself where nothing but the joint has come to it. */
