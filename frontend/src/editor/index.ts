@@ -1,7 +1,7 @@
 /** The editor core: pure TypeScript, no map, no DOM, no fetch. */
 
 export { classify } from "./classification";
-export { declarationOf, sameDeclarations } from "./declarations";
+export { declarationOf, merged, renamed, sameDeclarations } from "./declarations";
 export type { Change, MapDocument } from "./document";
 export { elementOf } from "./document";
 export { editsBetween } from "./edits";

@@ -3,7 +3,7 @@ import type { StoreApi } from "zustand/vanilla";
 import { asProblem } from "../api/problem";
 import type { ConflictingElement } from "../api/types";
 import { checkDraft } from "../api/workspace";
-import type { DraftContent, Editor } from "../editor";
+import type { Declaration, DraftContent, Editor } from "../editor";
 import { backoffMs } from "./backoff";
 import type { StaleBase, WorkState } from "./workState";
 
@@ -11,7 +11,11 @@ const CHECK_AFTER_MS = 400;
 
 /** The facts of a `save.stale` problem. */
 export function staleBase(facts: Record<string, unknown>): StaleBase {
-  return { head: facts.head as number, conflicts: facts.conflicts as ConflictingElement[] };
+  return {
+    head: facts.head as number,
+    conflicts: facts.conflicts as ConflictingElement[],
+    declarations: facts.declarations as Declaration[],
+  };
 }
 
 export class Checker {

@@ -6,10 +6,10 @@ import type { StoreApi } from "zustand/vanilla";
 import { asProblem } from "../api/problem";
 import type { Draft } from "../api/types";
 import { dropDraft, keepDraft, type SaveBody } from "../api/workspace";
-import type { DraftContent, Edit, Editor } from "../editor";
+import { type DraftContent, type Edit, type Editor, merged, sameDeclarations } from "../editor";
 import { backoffMs } from "./backoff";
 import { removeDraft, type WorkKey, writeDraft } from "./browserStore";
-import type { Keeping, WorkState } from "./workState";
+import type { Keeping, StaleBase, WorkState } from "./workState";
 
 const PUSH_AFTER_MS = 2_000;
 
@@ -109,9 +109,11 @@ export class DraftKeeper {
     this.schedule(0);
   }
 
-  /** After `stop`: leaves a draft on another base for the next opening, or none where nothing is left of it. */
-  async rebase(baseRevision: number, edits: Edit[]): Promise<void> {
-    const { declarations } = this.draft;
+  /** After `stop`: leaves a draft on a newer base for the next opening, or none where nothing is left of it. */
+  async rebase({ head, declarations: theirs }: StaleBase, edits: Edit[]): Promise<void> {
+    const { declarations: mine } = this.draft;
+    const stated = mine && merged(this.editor.getState().savedDeclarations, theirs, mine);
+    const declarations = stated && sameDeclarations(stated, theirs) ? null : stated;
     await this.pushing;
     await this.writing;
     if (edits.length === 0 && declarations === null) {
@@ -121,7 +123,7 @@ export class DraftKeeper {
     }
     await writeDraft(this.key, {
       format: 1,
-      baseRevision,
+      baseRevision: head,
       edits,
       declarations,
       history: null,

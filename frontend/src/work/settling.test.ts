@@ -4,6 +4,8 @@ import { parkedDrafts, readDraft, removeDraft, removeParked } from "./browserSto
 import { KEY, kept, openWork, saved, serverWith, state } from "./testServer";
 import type { WorkSession } from "./workSession";
 
+const STALE = { head: 1, conflicts: [], declarations: [] };
+
 let work: WorkSession;
 beforeEach(() => sessionStore.setState({ session: null }));
 afterEach(async () => {
@@ -17,7 +19,7 @@ it("leaves no draft behind where settling a stale base leaves nothing of it", as
   work = openWork();
   work.editor.actions.setMark(7, "left", "SOLID_WHITE");
   await vi.waitFor(() => expect(state(work).keeping.where).toBe("server"), { timeout: 5_000 });
-  await work.rebase(1, []);
+  await work.rebase(STALE, []);
   expect(await readDraft(KEY)).toBeNull();
   expect(sent.at(-1)?.path).toBe("DELETE draft");
 });
@@ -27,7 +29,7 @@ it("goes on keeping what is drawn where settling a stale base failed", async () 
   work = openWork();
   work.editor.actions.setMark(7, "left", "SOLID_WHITE");
   await vi.waitFor(() => expect(state(work).keeping.where).toBe("server"), { timeout: 5_000 });
-  await expect(work.rebase(1, [])).rejects.toMatchObject({ message: "It broke." });
+  await expect(work.rebase(STALE, [])).rejects.toMatchObject({ message: "It broke." });
   work.editor.actions.setLaneType(7, "BUS");
   await vi.waitFor(async () =>
     expect((await readDraft(KEY))?.edits).toMatchObject([{ attributes: { lane_type: "BUS" } }]),
@@ -53,4 +55,17 @@ it("sets aside what was edited during a save on a lane that the save took out", 
   });
   expect(work.editor.getState().notice?.text).toContain("lane 7 does not fit the saved map: it is set aside");
   await removeParked(parked?.id ?? 0);
+});
+
+it("settles a stale base without withdrawing what others declared meanwhile", async () => {
+  serverWith({ "PUT draft": kept });
+  work = openWork();
+  const macros = { shape: true, appearance: false, function: false, lane_graph: false, lane_number: 0 };
+  const about = (id: number) => ({ elements: [{ kind: "lane_segment" as const, id }], macros });
+  work.editor.actions.declare(about(7).elements, macros);
+  await work.rebase({ ...STALE, declarations: [about(8)] }, []);
+  expect(await readDraft(KEY)).toMatchObject({ baseRevision: 1, declarations: [about(7), about(8)] });
+
+  await work.rebase({ ...STALE, declarations: [about(7)] }, []);
+  expect(await readDraft(KEY)).toBeNull();
 });

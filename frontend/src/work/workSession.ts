@@ -10,7 +10,7 @@ import { elementsWords } from "./canonicalWords";
 import { Checker, staleBase } from "./checker";
 import { DraftKeeper, type KeptSoFar } from "./draftKeeper";
 import { newUuid } from "./uuid";
-import { countChanges, type WorkState } from "./workState";
+import { countChanges, type StaleBase, type WorkState } from "./workState";
 
 export type SaveOutcome =
   | { kind: "saved"; saved: SavedRevision }
@@ -110,10 +110,10 @@ export class WorkSession {
   }
 
   /** Ends this session with other edits for a newer base; the task is then opened anew and goes on with them. */
-  async rebase(baseRevision: number, edits: Edit[]): Promise<void> {
+  async rebase(stale: StaleBase, edits: Edit[]): Promise<void> {
     this.stop();
     try {
-      await this.keeper.rebase(baseRevision, edits);
+      await this.keeper.rebase(stale, edits);
     } catch (error) {
       // Editing goes on here, so it is kept here again, with what was drawn while nobody listened.
       this.start();

@@ -1,7 +1,7 @@
 /** What the workspace knows of its work: how much is unsaved, where it is kept, and what the server says of it. */
 import type { Problem } from "../api/problem";
 import type { ConflictingElement, Draft, Findings } from "../api/types";
-import type { DraftContent, Edit } from "../editor";
+import type { Declaration, DraftContent, Edit } from "../editor";
 
 /** Where the unsaved work is kept. */
 export type Keeping =
@@ -22,6 +22,8 @@ export type Saving = "no" | "sending" | "waiting";
 export interface StaleBase {
   head: number;
   conflicts: ConflictingElement[];
+  /** All that is declared there. */
+  declarations: Declaration[];
 }
 
 export interface WorkState {

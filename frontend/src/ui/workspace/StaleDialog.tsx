@@ -28,7 +28,7 @@ export function StaleDialog() {
     setBusy(true);
     const edits = settledEdits(editor.actions.netEdits(), stale.conflicts, choices);
     work
-      .rebase(stale.head, edits)
+      .rebase(stale, edits)
       .then(reopen, tellProblem)
       .finally(() => setBusy(false));
   };
