@@ -45,6 +45,25 @@ describe("settling a stale save", () => {
     expect(settledEdits([edit(7)], [conflict({ theirs: both })], choose("mine"))).toEqual([]);
   });
 
+  it("takes the parts away with a cut lane that stays theirs, and links to the lane again", () => {
+    const part = (id: number) => edit(id, { operation: "insert", attributes: { part_of: 7 } });
+    const cut = [
+      edit(7, { operation: "delete", attributes: {} }),
+      edit(1, { attributes: { successors: [901, 5], left_neighbor_id: 902 } }),
+      part(901),
+      part(902),
+    ];
+    const lost = conflict({ mine: null });
+    const linked = (attributes: Edit["attributes"]) => [edit(1, { attributes })];
+    expect(settledEdits(cut, [lost], choose("theirs"))).toEqual(
+      linked({ successors: [7, 5], left_neighbor_id: 7 }),
+    );
+    expect(settledEdits(cut, [{ ...lost, theirs: null }], choose("theirs"))).toEqual(
+      linked({ successors: [5], left_neighbor_id: null }),
+    );
+    expect(settledEdits(cut, [lost], choose("mine"))).toHaveLength(4);
+  });
+
   it("names what differs between two versions", () => {
     expect(differingNames(conflict().base, conflict().mine)).toEqual(["lane_type"]);
   });

@@ -1,7 +1,7 @@
 import { Button, Group, Modal, SegmentedControl, Stack } from "@mantine/core";
 import { useState } from "react";
 import type { ConflictingElement } from "../../api/types";
-import { conflictKey, differingNames, type Side, settledEdits } from "../../work/settle";
+import { conflictKey, differingNames, isCut, type Side, settledEdits } from "../../work/settle";
 import { counted, KIND_WORDS } from "../parts/words";
 import { tellProblem } from "../shell/tell";
 import { useEditor, useScreen, useWorkspace } from "./context";
@@ -24,11 +24,11 @@ export function StaleDialog() {
   const [busy, setBusy] = useState(false);
   if (work === null || stale === null) return null;
 
+  const edits = editor.actions.netEdits();
   const settle = () => {
     setBusy(true);
-    const edits = settledEdits(editor.actions.netEdits(), stale.conflicts, choices);
     work
-      .rebase(stale, edits)
+      .rebase(stale, settledEdits(edits, stale.conflicts, choices))
       .then(reopen, tellProblem)
       .finally(() => setBusy(false));
   };
@@ -48,7 +48,7 @@ export function StaleDialog() {
         <ul className={classes.conflicts}>
           {stale.conflicts.map((conflict) => (
             <li key={conflictKey(conflict)} className={classes.conflict}>
-              <Conflict conflict={conflict} />
+              <Conflict conflict={conflict} cut={isCut(edits, conflict)} />
               <SegmentedControl
                 size="xs"
                 aria-label={`${KIND_WORDS[conflict.kind]} ${conflict.id}`}
@@ -92,13 +92,13 @@ function did(base: ConflictingElement["base"], version: ConflictingElement["base
   return [...values, ...new Set(others)].join(", ") || "neighbours changed";
 }
 
-function Conflict({ conflict }: { conflict: ConflictingElement }) {
+function Conflict({ conflict, cut }: { conflict: ConflictingElement; cut: boolean }) {
   return (
     <div>
       <strong>
         {KIND_WORDS[conflict.kind]} <span className="mono">{conflict.id}</span>
       </strong>
-      <p className="second small">You: {did(conflict.base, conflict.mine)}</p>
+      <p className="second small">You: {cut ? "cut" : did(conflict.base, conflict.mine)}</p>
       <p className="second small">They: {did(conflict.base, conflict.theirs)}</p>
     </div>
   );
