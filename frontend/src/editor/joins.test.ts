@@ -107,3 +107,17 @@ test("reverting a part whose other parts were deleted or unlinked gives the whol
     expect(editor.actions.netEdits()).toEqual([]);
   }
 });
+
+test("reverting a part reaches what it shares with the parts of a lane cut beside it", async () => {
+  const editor = open();
+  const [one] = await cut(editor, 1, 16, 2);
+  const [beside] = await cut(editor, 3, 16, 5);
+  const shared = { kind: "lane_segment", id: one.id, side: "left", index: 1 } as const;
+  editor.actions.moveVertex(shared, { x: 10, y: 4.5 });
+  editor.actions.setMark(one.id, "left", "SOLID_WHITE");
+  expect(at(lane(editor, beside.id).right_lane_boundary, 1)).toEqual([10, 4.5]);
+  editor.actions.revertElement({ kind: "lane_segment", id: one.id });
+  expect(at(lane(editor, beside.id).right_lane_boundary, 1)).toEqual([10, 3.51]);
+  expect(lane(editor, beside.id).right_lane_mark_type).toBe("DASH_SOLID_WHITE");
+  expect(brokenInvariants(editor.getState().base, editor.getState().current)).toEqual([]);
+});

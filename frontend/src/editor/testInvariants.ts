@@ -1,9 +1,18 @@
 /** What must hold of every map that the editor can lead to, given the imported one. For tests. */
 import type { MapDocument } from "./document";
-import type { Lane, Place, Side } from "./elements";
-import { boundary, hasRepeatedVertex, markOf, neighborOf, sameLine, sameLineReversed } from "./lines";
+import type { Lane, Line, Place, Side } from "./elements";
+import {
+  boundary,
+  hasRepeatedVertex,
+  markOf,
+  neighborOf,
+  sameLine,
+  sameLineReversed,
+  samePlace,
+} from "./lines";
 import { mirrored } from "./marks";
-import { linkedLanes, sharersOf } from "./topology";
+import { partsOf } from "./parts";
+import { linkedLanes, type Sharer, sharersOf } from "./topology";
 
 const SIDES: readonly Side[] = ["left", "right"];
 
@@ -43,6 +52,7 @@ function brokenSharing(base: MapDocument, map: MapDocument): string[] {
       for (const sharer of sharersOf(base, imported, side)) {
         const [lane, other] = [map.lanes.get(imported.id), map.lanes.get(sharer.lane)];
         if (lane && other) compare(lane, side, other, sharer.side, sharer.reversed, sharer.across);
+        else broken.push(...partedVertices(map, imported, side, sharer));
       }
     }
   }
@@ -55,6 +65,25 @@ function brokenSharing(base: MapDocument, map: MapDocument): string[] {
     }
   }
   return broken;
+}
+
+/** Vertices of a shared imported line that of two lanes, cut or whole, only one still has where it was. */
+function partedVertices(map: MapDocument, imported: Lane, side: Side, sharer: Sharer): string[] {
+  const [own, others] = [linesOf(map, imported.id, side), linesOf(map, sharer.lane, sharer.side)];
+  if (own.length === 0 || others.length === 0) return [];
+  return boundary(imported, side)
+    .filter((place) => has(own, place) !== has(others, place))
+    .map(({ x, y }) => `${imported.id} and ${sharer.lane} no longer share ${x}, ${y}`);
+}
+
+/** A boundary of a lane or of its parts; none when some are missing. */
+function linesOf(map: MapDocument, id: number, side: Side): Line[] {
+  const lane = map.lanes.get(id);
+  return (lane === undefined ? partsOf(map, id) : [lane]).map((one) => boundary(one, side));
+}
+
+function has(lines: readonly Line[], place: Place): boolean {
+  return lines.some((line) => line.some((point) => samePlace(point, place)));
 }
 
 function ends(lane: Lane, end: "start" | "end"): (Place | undefined)[] {

@@ -2,6 +2,7 @@
 import { elementOf, type MapDocument } from "../document";
 import type { ElementKey, Lane, Line, Side } from "../elements";
 import { boundary, markOf, neighborOf, sameLine, samePlace, withBoundary, withNeighbor } from "../lines";
+import { baseCutAlike, partsOf } from "../parts";
 import { GONE, nameOf, type Planned, refuse, selectionOf } from "../plan";
 import { planOf } from "../planOf";
 import { sharersOf, together } from "../topology";
@@ -28,6 +29,7 @@ export function planRevert(base: MapDocument, document: MapDocument, element: El
     work.put(original);
     return planOf(work, note, selectionOf(key));
   }
+  revertParts(work, base, key.id);
   undoCut(work, original.attributes);
   if (work.lane(key.id) === null) work.putLane(withoutMentionOfMissing(original.attributes, base, document));
   revertLinks(work, base, original.attributes);
@@ -52,6 +54,20 @@ function wholeOf(base: MapDocument, document: MapDocument, key: ElementKey): Ele
   return whole !== null && base.lanes.has(whole) && !base.lanes.has(key.id)
     ? { kind: key.kind, id: whole }
     : key;
+}
+
+/** The parts' lines and paint as imported, while parts of lanes beside them still share these. */
+function revertParts(work: Workpiece, base: MapDocument, whole: number): void {
+  const alike = baseCutAlike(base, work.document);
+  for (const { id } of partsOf(work.document, whole)) {
+    const piece = alike.lanes.get(id);
+    if (piece === undefined) continue;
+    for (const side of SIDES) {
+      revertBoundary(work, alike, piece, side);
+      const part = work.lane(id);
+      if (part !== null) paint(work, part, side, markOf(piece, side));
+    }
+  }
 }
 
 /** Ids outside the imported map are its rim and stay; ids of lanes deleted since go. */
