@@ -2,7 +2,7 @@
 import { type DBSchema, type IDBPDatabase, openDB } from "idb";
 import type { Remark } from "../api/types";
 import type { SaveBody } from "../api/workspace";
-import type { Declaration, Edit, History } from "../editor";
+import type { Declaration, Edit, History, ReceivedEdit } from "../editor";
 
 /** One person's work in one task. */
 export interface WorkKey {
@@ -34,8 +34,8 @@ export interface ParkedDraft {
   parkedAt: number;
   reason: string;
   baseRevision: number;
-  edits: readonly unknown[];
-  declarations: readonly unknown[] | null;
+  edits: readonly (Edit | ReceivedEdit)[];
+  declarations: readonly Declaration[] | null;
 }
 
 interface Schema extends DBSchema {

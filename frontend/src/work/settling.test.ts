@@ -69,3 +69,13 @@ it("settles a stale base without withdrawing what others declared meanwhile", as
   await work.rebase({ ...STALE, declarations: [about(7)] }, []);
   expect(await readDraft(KEY)).toBeNull();
 });
+
+it("discards a draft on this computer and on the server before the task is opened anew", async () => {
+  const sent = serverWith({ "PUT draft": kept });
+  work = openWork();
+  work.editor.actions.setMark(7, "left", "SOLID_WHITE");
+  await vi.waitFor(() => expect(state(work).keeping.where).toBe("server"), { timeout: 5_000 });
+  await work.discard();
+  expect(await readDraft(KEY)).toBeNull();
+  expect(sent.at(-1)?.path).toBe("DELETE draft");
+});

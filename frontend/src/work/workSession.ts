@@ -122,6 +122,12 @@ export class WorkSession {
     }
   }
 
+  /** Ends this session without its draft; the task is then opened anew, at its newest revision. */
+  async discard(): Promise<void> {
+    this.editor.actions.discardDraft();
+    await this.rebase({ head: this.store.getState().revision, conflicts: [], declarations: [] }, []);
+  }
+
   keepMine(newer: Draft): void {
     this.keeper.replace(newer);
   }

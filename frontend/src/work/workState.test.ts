@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { countEdits } from "./workState";
+import { countChanges, countEdits } from "./workState";
 
 test("a lane drawn between two others counts once, though their links follow", () => {
   const links = { successors: [7] };
@@ -32,4 +32,12 @@ test("links alone are still something to save", () => {
   expect(
     countEdits([{ operation: "update", kind: "lane_segment", id: 1, attributes: { successors: [] } }]),
   ).toBe(1);
+});
+
+test("what a kept draft declares counts once, and only where it differs from what stands", () => {
+  const macros = { shape: true, appearance: false, function: false, lane_graph: false, lane_number: 0 };
+  const declarations = [{ elements: [{ kind: "lane_segment" as const, id: 1 }], macros }];
+  expect(countChanges({ edits: [], declarations }, [])).toBe(1);
+  expect(countChanges({ edits: [], declarations }, declarations)).toBe(0);
+  expect(countChanges({ edits: [], declarations: null }, declarations)).toBe(0);
 });

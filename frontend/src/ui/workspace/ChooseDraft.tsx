@@ -1,5 +1,6 @@
 import { Button } from "@mantine/core";
 import type { Choosing } from "../../work/openTask";
+import { countChanges } from "../../work/workState";
 import { useNow } from "../parts/useNow";
 import { ago, counted } from "../parts/words";
 import classes from "./workspace.module.css";
@@ -23,15 +24,15 @@ export function ChooseDraft({ choosing, onChoose }: ChooseDraftProperties) {
       <button type="button" className={classes.choice} onClick={() => onChoose("local")}>
         <strong>This computer's</strong>
         <span className="second">
-          {counted(local.edits.length, "change")} since revision {local.baseRevision} ·{" "}
-          {ago(local.changedAt, now)}
+          {counted(countChanges(local, workspace.declarations), "change")} since revision {local.baseRevision}{" "}
+          · {ago(local.changedAt, now)}
         </span>
       </button>
       <button type="button" className={classes.choice} onClick={() => onChoose("server")}>
         <strong>The other window's or computer's</strong>
         <span className="second">
-          {counted(server.edits.length, "change")} since revision {server.base_revision} ·{" "}
-          {ago(server.kept_at, now)}
+          {counted(countChanges(server, workspace.declarations), "change")} since revision{" "}
+          {server.base_revision} · {ago(server.kept_at, now)}
         </span>
       </button>
       <Button variant="default" component="a" href="/">

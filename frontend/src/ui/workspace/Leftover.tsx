@@ -1,6 +1,7 @@
 import { Button } from "@mantine/core";
 import type { Task } from "../../api/types";
 import type { LocalDraft } from "../../work/browserStore";
+import { countChanges } from "../../work/workState";
 import { counted, STATE_WORDS } from "../parts/words";
 import { Banner } from "./Banner";
 import { downloadDraft } from "./downloadDraft";
@@ -10,7 +11,7 @@ export function Leftover({ task, draft }: { task: Task; draft: LocalDraft }) {
   return (
     <Banner tone="warning">
       <span>
-        {counted(draft.edits.length, "change")} of yours since revision {draft.baseRevision} cannot be saved
+        {counted(countChanges(draft), "change")} of yours since revision {draft.baseRevision} cannot be saved
         while the task is {STATE_WORDS[task.state]} or assigned to somebody else. They stay on this computer.
       </span>
       <Button variant="default" onClick={() => downloadDraft(task.id, draft)}>

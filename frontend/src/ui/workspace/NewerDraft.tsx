@@ -1,10 +1,11 @@
 import { Button, Group, Modal, Stack } from "@mantine/core";
 import { parkDraft } from "../../work/browserStore";
+import { countChanges } from "../../work/workState";
 import { useNow } from "../parts/useNow";
 import { ago, counted } from "../parts/words";
 import { tellProblem } from "../shell/tell";
 import { useSession } from "../useSession";
-import { useWorkspace } from "./context";
+import { useEditor, useWorkspace } from "./context";
 import { useWork } from "./useFindings";
 
 /** Another computer kept a newer draft while this one was open. */
@@ -13,6 +14,7 @@ export function NewerDraft() {
   const key = { account: useSession().account.id, task: workspace.task.id };
   const newer = useWork((state) => state.newerDraft);
   const edits = useWork((state) => state.edits);
+  const standing = useEditor((state) => state.savedDeclarations);
   const now = useNow();
   if (work === null || newer === null) return null;
 
@@ -31,7 +33,7 @@ export function NewerDraft() {
     >
       <Stack gap={12}>
         <p>
-          Another window or computer of yours kept {counted(newer.edits.length, "change")}{" "}
+          Another window or computer of yours kept {counted(countChanges(newer, standing), "change")}{" "}
           {ago(newer.kept_at, now)}; here are {edits}. The draft that you do not choose is set aside under
           History.
         </p>

@@ -20,6 +20,8 @@ export interface ScreenState {
   frame: number | null;
   keysShown: boolean;
   staleShown: boolean;
+  /** The canonical form is being asked for. */
+  canonicalising: boolean;
   /** The rule whose page is shown beside the map. */
   rule: string | null;
   inspectorShown: boolean;
@@ -41,6 +43,7 @@ export function createScreen(workspace: Workspace): StoreApi<ScreenState> {
     frame: null,
     keysShown: false,
     staleShown: false,
+    canonicalising: false,
     rule: null,
     inspectorShown: true,
     leftShown: true,

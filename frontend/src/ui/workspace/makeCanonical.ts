@@ -5,7 +5,18 @@ import { tell } from "../shell/tell";
 import type { WorkspaceValue } from "./context";
 
 /** Brings the draft into its canonical form, as one undo step, and says in words what that did. */
-export async function makeCanonical({ editor, workspace }: WorkspaceValue): Promise<void> {
+export async function makeCanonical(value: WorkspaceValue): Promise<void> {
+  const { screen } = value;
+  if (screen.getState().canonicalising) return;
+  screen.setState({ canonicalising: true });
+  try {
+    await bringIntoForm(value);
+  } finally {
+    screen.setState({ canonicalising: false });
+  }
+}
+
+async function bringIntoForm({ editor, workspace }: WorkspaceValue): Promise<void> {
   const { base, current, savedRevision, declarations } = editor.getState();
   const { edits } = editor.actions.netDraft();
   const body = { base_revision: savedRevision, edits, declarations: [...declarations] };
@@ -14,7 +25,8 @@ export async function makeCanonical({ editor, workspace }: WorkspaceValue): Prom
     tell("Already canonical: no other ids tell this with fewer changes.");
     return;
   }
-  if (editor.getState().current !== current) {
+  const now = editor.getState();
+  if (now.current !== current || now.declarations !== declarations) {
     tell("The map was edited meanwhile. Make it canonical again.");
     return;
   }
@@ -29,6 +41,9 @@ export async function makeCanonical({ editor, workspace }: WorkspaceValue): Prom
   const { selection } = editor.getState();
   const done = await editor.actions.applyFix(form.edits, "Made canonical", stated);
   if (!done.ok) return;
-  if (selection !== null) editor.actions.select(called(selection), selection);
+  // What was selected may be a part of another lane now.
+  const follows = selection && called(selection);
+  if (follows && elementOf(editor.getState().current, follows) !== null)
+    editor.actions.select(follows, selection);
   tell(canonicalWords(form, (key) => elementOf(base, key) !== null));
 }

@@ -1,14 +1,13 @@
 import { Button } from "@mantine/core";
 import { notifications } from "@mantine/notifications";
 import type { Problem } from "../../api/problem";
-import type { Editor } from "../../editor";
 
 /** A draft that changes nothing cannot be saved; it can be let go. */
-export function tellDraftIsEmpty(problem: Problem, editor: Editor): void {
+export function tellDraftIsEmpty(problem: Problem, onDiscard: () => void): void {
   const id = problem.code;
   const discard = () => {
     notifications.hide(id);
-    editor.actions.discardDraft();
+    onDiscard();
   };
   notifications.show({
     id,
@@ -23,5 +22,6 @@ export function tellDraftIsEmpty(problem: Problem, editor: Editor): void {
       </>
     ),
     autoClose: 20_000,
+    closeButtonProps: { "aria-label": "Dismiss" },
   });
 }

@@ -2,7 +2,7 @@ import { useCallback, useMemo } from "react";
 import type { ElementKey, Violation } from "../../api/types";
 import type { PageCommand } from "../../map";
 import { retoldWords } from "../../work/canonicalWords";
-import type { SaveOutcome } from "../../work/workSession";
+import type { SaveOutcome, WorkSession } from "../../work/workSession";
 import { blockingErrors } from "../../work/workState";
 import { counted } from "../parts/words";
 import { tell, tellProblem } from "../shell/tell";
@@ -64,6 +64,10 @@ export function useCommands(): Commands {
     const applyFix = (violation: Violation, fix: number) => {
       const offered = violation.fixes[fix];
       if (offered === undefined) return;
+      if (offered.declarations && work !== null && !isUpToDate(work)) {
+        tell("The issues are older than your last edit. Apply this once they are checked again.");
+        return;
+      }
       void editor.actions.applyFix(offered.edits, offered.title, offered.declarations ?? undefined);
     };
     const canonicalise = () => {
@@ -89,6 +93,12 @@ export function useCommands(): Commands {
   }, [value, findings, saveNow, saveOnOpen]);
 }
 
+/** Whether the findings are of the draft as it stands: a fix of declarations carries all of them. */
+function isUpToDate({ store }: WorkSession): boolean {
+  const { checking, checkProblem, stale } = store.getState();
+  return !checking && checkProblem === null && stale === null;
+}
+
 function saveAndTell(value: WorkspaceValue, me: { id: number; name: string }, onOpen: boolean): void {
   const { work, screen } = value;
   if (work === null) return;
@@ -100,7 +110,7 @@ function saveAndTell(value: WorkspaceValue, me: { id: number; name: string }, on
 
 function tellOutcome(
   outcome: SaveOutcome,
-  { screen, editor }: WorkspaceValue,
+  { screen, work, reopen }: WorkspaceValue,
   me: { id: number; name: string },
 ): void {
   switch (outcome.kind) {
@@ -121,7 +131,8 @@ function tellOutcome(
       screen.setState({ tab: "issues", leftShown: true });
       return;
     case "failed":
-      if (outcome.problem.code === "save.empty") tellDraftIsEmpty(outcome.problem, editor);
+      if (outcome.problem.code === "save.empty" && work !== null)
+        tellDraftIsEmpty(outcome.problem, () => void work.discard().then(reopen, tellProblem));
       else tellProblem(outcome.problem);
   }
 }

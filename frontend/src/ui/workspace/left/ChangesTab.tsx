@@ -5,7 +5,7 @@ import { ChangeList } from "../../changes/ChangeList";
 import type { ChangeGroup } from "../../changes/grouping";
 import { Loading } from "../../parts/Loading";
 import { ProblemNotice } from "../../parts/ProblemNotice";
-import { useEditor, useWorkspace } from "../context";
+import { useEditor, useScreen, useWorkspace } from "../context";
 import type { Commands } from "../useCommands";
 import { useFindings } from "../useFindings";
 import { Declare } from "./Declare";
@@ -18,6 +18,7 @@ export function ChangesTab({ commands }: { commands: Commands }) {
   const selected = useEditor((state) => state.selection);
   const hovered = useEditor((state) => state.hover);
   const declarations = useEditor((state) => state.declarations);
+  const canonicalising = useScreen((state) => state.canonicalising);
   if (problem !== null) return <ProblemNotice error={problem} />;
   if (findings === null) return <Loading what="changes" />;
   if (findings.changes.length === 0) {
@@ -56,6 +57,7 @@ export function ChangesTab({ commands }: { commands: Commands }) {
           leftSection={<IconWand size={15} aria-hidden />}
           rightSection={<kbd>M</kbd>}
           title="The same map, told with the fewest changes; lanes and crossings may get other ids"
+          loading={canonicalising}
           onClick={commands.makeCanonical}
         >
           Make canonical

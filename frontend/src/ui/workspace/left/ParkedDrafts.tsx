@@ -1,6 +1,7 @@
 import { Button } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { parkedDrafts, removeParked } from "../../../work/browserStore";
+import { countChanges } from "../../../work/workState";
 import { useNow } from "../../parts/useNow";
 import { ago, counted } from "../../parts/words";
 import { useSession } from "../../useSession";
@@ -17,8 +18,9 @@ export function ParkedDrafts() {
   return (parked.data ?? []).map(({ id, draft }) => (
     <div key={id} className={classes.parked}>
       <span>
-        Draft set aside {ago(draft.parkedAt, now)}: {counted(draft.edits.length, "change")} since revision{" "}
-        {draft.baseRevision}, {draft.reason}.
+        Draft set aside {ago(draft.parkedAt, now)}:{" "}
+        {counted(countChanges(draft, workspace.declarations), "change")} since revision {draft.baseRevision},{" "}
+        {draft.reason}.
       </span>
       <span className={classes.fixes}>
         <Button variant="default" size="compact-xs" onClick={() => downloadDraft(key.task, draft)}>
