@@ -10,7 +10,7 @@ import { at, distance, lengthOf, nearestOnLine, nearestOnSegment } from "../poly
 import { linkedLanes, occurrencesAt } from "../topology";
 import { Workpiece } from "../workpiece";
 import { removeLane } from "./links";
-import { exchangeLanes } from "./series";
+import { exchangeLanes, restoreNeighbors } from "./series";
 
 type Way = "before" | "after";
 
@@ -42,6 +42,7 @@ export function planCut(
   const work = new Workpiece(document);
   exchangeLanes(
     work,
+    base,
     [lane],
     [
       { ...before, id: one, part_of },
@@ -70,7 +71,8 @@ export function planJoin(base: MapDocument, document: MapDocument, id: number): 
   const [one, other] = fitting;
   const work = new Workpiece(document);
   const joined = joinedLane(base, document, one, other);
-  exchangeLanes(work, [one, other], [joined]);
+  exchangeLanes(work, base, [one, other], [joined]);
+  if (joined.id === one.part_of) restoreNeighbors(work, base, joined.id);
   const note =
     joined.id === one.part_of
       ? `Joined the parts: lane ${joined.id} is whole again`
@@ -164,9 +166,9 @@ function joinedLine(
  * Takes the parts of a cut lane out and puts the imported lane back in their place. Parts that are no series any more
  * are only taken out.
  */
-export function undoCut(work: Workpiece, whole: Lane): void {
+export function undoCut(work: Workpiece, base: MapDocument, whole: Lane): void {
   const parts = partsOf(work.document, whole.id);
-  if (parts.length > 0) exchangeLanes(work, parts, [whole]);
+  if (parts.length > 0) exchangeLanes(work, base, parts, [whole]);
   else
     for (const { id, part_of } of work.document.lanes.values())
       if (part_of === whole.id) removeLane(work, id);

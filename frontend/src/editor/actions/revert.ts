@@ -30,7 +30,7 @@ export function planRevert(base: MapDocument, document: MapDocument, element: El
     return planOf(work, note, selectionOf(key));
   }
   revertParts(work, base, key.id);
-  undoCut(work, original.attributes);
+  undoCut(work, base, original.attributes);
   if (work.lane(key.id) === null) work.putLane(withoutMentionOfMissing(original.attributes, base, document));
   revertLinks(work, base, original.attributes);
   for (const side of SIDES) {
