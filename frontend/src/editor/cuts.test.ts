@@ -5,6 +5,18 @@ import { brokenInvariants } from "./testInvariants";
 import { at, reasonOf } from "./testRoad";
 
 describe("a cut", () => {
+  test("of a lane that is too short says so, and sends nobody to another place on it", async () => {
+    const editor = open();
+    const drawn = await editor.actions.drawLane([
+      { x: 0, y: 60 },
+      { x: 0.8, y: 60 },
+    ]);
+    if (!drawn.ok) throw new Error(drawn.reason);
+    const reason = reasonOf(await editor.actions.cutLane(drawn.key.id, { x: 0.4, y: 60 }, REACH));
+    expect(reason).toContain("too short to cut");
+    expect(reason).not.toContain("farther");
+  });
+
   test("gives two parts in series in the lane's place, square across it and rounded to the centimetre", async () => {
     const editor = open();
     const [one, other] = await cut(editor, 1, 16.004, 2);

@@ -16,6 +16,9 @@ type Way = "before" | "after";
 
 const SIDES: readonly Side[] = ["left", "right"];
 
+const NEAR_END = "Cut farther from the ends of the lane: a part is at least half a metre long.";
+const TOO_SHORT = "This lane is too short to cut: a part is at least half a metre long on both sides.";
+
 /** How many new ids a cut of the lane takes: the parts of an imported lane are two lanes under new ids. */
 export function idsForCut(base: MapDocument, id: number): number {
   return base.lanes.has(id) ? 2 : 1;
@@ -33,8 +36,7 @@ export function planCut(
   const lane = document.lanes.get(id);
   if (lane === undefined) return refuse(GONE);
   const joint = jointAt(document, lane, place, reach);
-  if (joint === null)
-    return refuse("Cut farther from the ends of the lane: a part is at least half a metre long.");
+  if (joint === null) return refuse(tooShort(lane) ? TOO_SHORT : NEAR_END);
   const imported = base.lanes.has(id);
   const part_of = imported ? id : lane.part_of;
   const [one = id, other = id] = imported ? newIds : [id, ...newIds];
@@ -51,6 +53,10 @@ export function planCut(
   );
   const note = `Cut lane ${id} into ${one} and ${other}`;
   return planOf(work, note, selectionOf({ kind: "lane_segment", id: other }));
+}
+
+function tooShort(lane: Lane): boolean {
+  return SIDES.some((side) => lengthOf(boundary(lane, side)) < 2 * SHORTEST_PART_METRES);
 }
 
 /** The lane and the one that it is in series with, behind or before it, made one. */
