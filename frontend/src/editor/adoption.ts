@@ -101,7 +101,9 @@ export class Adoption {
 
   /** What was edited since the save was sent, where the save touched only what was sent. */
   current(current: MapDocument, sent: MapDocument, stored: MapDocument): Change[] {
-    const since = differingKeys(sent, current);
+    const since = differingKeys(sent, current).filter(
+      (key) => !equalElements(elementOf(sent, key), elementOf(current, key)),
+    );
     return since.map((key: ElementKey) => ({
       key,
       before: elementOf(stored, key),

@@ -86,6 +86,20 @@ test("an edit made during a save leaves what the save merged in from others on t
   });
 });
 
+test("a draft that was loaded as it was sent counts as edited no further", () => {
+  const editor = open();
+  editor.actions.moveVertex({ kind: "lane_segment", id: 1, side: "right", index: 2 }, { x: 20, y: 0.1 });
+  const sent = editor.actions.netEdits().map((edit) => ({ ...edit, attributes: { ...edit.attributes } }));
+  const snapshot = editor.actions.takeSnapshot();
+  editor.actions.loadDraft(sent);
+  //  The server puts a move of 3 cm back.
+  editor.actions.adoptSaved(
+    { revision: 1, changed: wireMap([], []), removed: [], ...NOTHING_ELSE },
+    snapshot,
+  );
+  expect(editor.actions.netEdits()).toEqual([]);
+});
+
 describe("declarations and a save", () => {
   const SHAPE = { shape: true, appearance: false, function: false, lane_graph: false, lane_number: 0 };
   const of = (id: number) => ({ elements: [{ kind: "lane_segment" as const, id }], macros: SHAPE });
