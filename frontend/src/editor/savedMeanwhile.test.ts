@@ -88,11 +88,11 @@ test("an edit made during a save leaves what the save merged in from others on t
 
 test("a draft that was loaded as it was sent counts as edited no further", () => {
   const editor = open();
-  editor.actions.moveVertex({ kind: "lane_segment", id: 1, side: "right", index: 2 }, { x: 20, y: 0.1 });
+  editor.actions.addVertex({ kind: "lane_segment", id: 1, side: "right", index: 1 });
   const sent = editor.actions.netEdits().map((edit) => ({ ...edit, attributes: { ...edit.attributes } }));
   const snapshot = editor.actions.takeSnapshot();
   editor.actions.loadDraft(sent);
-  //  The server puts a move of 3 cm back.
+  //  The server takes a vertex that bends nothing out again.
   editor.actions.adoptSaved(
     { revision: 1, changed: wireMap([], []), removed: [], ...NOTHING_ELSE },
     snapshot,
