@@ -121,3 +121,15 @@ def test_lanes_drawn_as_one_where_a_branch_went_stay_two():
     canonical = canonicalise(base, world(straight(9, 0, 40)))
     assert story(base, canonical) == [(3, "deletion")]
     assert canonical == unlinked(base, [3])
+
+
+def test_a_joint_where_paint_changes_is_the_nearest_of_the_joints_that_are_near():
+    #  1 ─ 2 ── 3 ── 4      =>   8 ──── 9      the paint changes between 2 (2.5 m) and 3, and between 8 and 9
+    base = world(
+        straight(1, 0, 20, successors=(2,)),
+        straight(2, 20, 22.5, successors=(3,), predecessors=(1,)),
+        straight(3, 22.5, 40, predecessors=(2,), successors=(4,), **SOLID),
+        straight(4, 40, 60, predecessors=(3,), **SOLID),
+    )
+    drawn = world(straight(8, 0, 22.5, successors=(9,)), straight(9, 22.5, 60, predecessors=(8,), **SOLID))
+    assert story(base, canonicalise(base, drawn)) == []

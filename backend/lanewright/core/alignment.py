@@ -129,27 +129,26 @@ def _goal(was: Run, now: Run, joint: Station) -> Station:
 
 
 def _matched_joints(was: Run, now: Run, fixed: Sequence[int], goals: Sequence[Station]) -> dict[int, int]:
-    """Base joints by index and the edited joints that they are: near, or with the same change of properties."""
+    """Base joints by index and the edited joints that they are: near, or with the same change of properties. The
+    nearest pairs come first; no two cross."""
     matched: dict[int, int] = {}
-    free = list(fixed)
     for same_transition in (False, True):
-        for index, goal in enumerate(goals):
-            if index in matched:
-                continue
-            near = [
-                joint
-                for joint in free
-                if all((joint > other) == (index > known) for known, other in matched.items())
-                and (
-                    _same_transition(was, index, now, joint)
-                    if same_transition
-                    else _apart(now.joints[joint], goal) <= NEAR_M
-                )
-            ]
-            if near:
-                best = min(near, key=lambda joint: _apart(now.joints[joint], goal))
-                matched[index] = best
-                free.remove(best)
+        pairs = [
+            (_apart(now.joints[joint], goal), index, joint)
+            for index, goal in enumerate(goals)
+            for joint in fixed
+            if index not in matched
+            and (
+                _same_transition(was, index, now, joint)
+                if same_transition
+                else _apart(now.joints[joint], goal) <= NEAR_M
+            )
+        ]
+        for _, index, joint in sorted(pairs):
+            if index not in matched and all(
+                joint != other and (joint > other) == (index > known) for known, other in matched.items()
+            ):
+                matched[index] = joint
     return matched
 
 
