@@ -133,3 +133,13 @@ def test_a_joint_where_paint_changes_is_the_nearest_of_the_joints_that_are_near(
     )
     drawn = world(straight(8, 0, 22.5, successors=(9,)), straight(9, 22.5, 60, predecessors=(8,), **SOLID))
     assert story(base, canonicalise(base, drawn)) == []
+
+
+@pytest.mark.parametrize("joint", [38, 42, 50])
+def test_a_longer_lane_is_one_story_wherever_it_is_drawn_in_two(joint):
+    drawn = world(
+        straight(1, 0, 20, successors=(8,)),
+        straight(8, 20, joint, predecessors=(1,), successors=(9,)),
+        straight(9, joint, 60, predecessors=(8,)),
+    )
+    assert story(ROW, canonicalise(ROW, drawn)) == [(2, "geometry")]
