@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 from tests.core.worlds import lane, straight, world
 
-from lanewright.core.canonical import canonicalise
+from lanewright.core.canonical import canonical_map, canonicalise
+from lanewright.core.comparison import Comparison
 from lanewright.core.diff import diff
 from lanewright.core.elements import Mark
 from lanewright.core.identity import unlinked
@@ -143,3 +144,18 @@ def test_a_longer_lane_is_one_story_wherever_it_is_drawn_in_two(joint):
         straight(9, joint, 60, predecessors=(8,)),
     )
     assert story(ROW, canonicalise(ROW, drawn)) == [(2, "geometry")]
+
+
+def test_a_legal_story_stands_where_the_canonical_form_would_be_longer():
+    #  7 moved sideways by 5 m, which the rules allow; far away 8 was deleted and drawn anew as 9
+    base = world(straight(7, 0, 60), straight(8, 1000, 1060))
+    moved = straight(7, 0, 60, 5, 8.5)
+    form = canonical_map(Comparison(base, world(moved, straight(9, 1000, 1060))))
+    assert form.edited == world(moved, straight(8, 1000, 1060))
+
+
+def test_a_story_that_a_rule_objects_to_does_not_stand():
+    #  7 moved sideways by 20 m
+    base, edited = world(straight(7, 0, 60)), world(straight(7, 0, 60, 20, 23.5))
+    form = canonical_map(Comparison(base, edited))
+    assert story(base, form.edited) == [("new", "insertion"), (7, "deletion")]

@@ -31,9 +31,10 @@ def canonicalise(
     """
     maps = read_two_maps(base, edited)
 
-    from lanewright.core.canonical import canonical_form
+    from lanewright.core.canonical import canonical_map
+    from lanewright.core.comparison import Comparison
 
-    canonical = canonical_form(maps.base.state, maps.edited.state)
+    canonical = canonical_map(Comparison(maps.base.state, maps.edited.state))
     _write(out, maps.edited.render(canonical.edited))
     if canonical.edited == maps.edited.state:
         typer.echo(f"{out}: canonical already, written as it was.")

@@ -13,10 +13,16 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from lanewright.core.assignment import Assignment, other_than_itself
+from lanewright.core.changes import Category
 from lanewright.core.comparison import Comparison, lane_key
+from lanewright.core.diff import atomic_changes
 from lanewright.core.elements import ElementKey, ElementKind, MapState
 from lanewright.core.identity import fresh_ids, renamed
+from lanewright.core.macros import update_groups
+from lanewright.core.objections import objected
 from lanewright.core.settlement import settle
+
+_WHOLE = frozenset({Category.INSERTION, Category.DELETION})
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +58,29 @@ def canonical_form(base: MapState, edited: MapState, scope: Collection[ElementKe
     assignment = Assignment.start(base, edited, scope)
     settle(assignment)
     return _named(assignment, edited, fresh_ids((base, edited)))
+
+
+def canonical_map(comparison: Comparison) -> Canonical:
+    """The edited map with every structural update in its canonical form, but for those that stand as drawn."""
+    standing = [key for update in update_groups(comparison) if stands(comparison, update) for key in update]
+    return canonical_form(comparison.base, comparison.edited, comparison.changed_keys.difference(standing))
+
+
+def stands(comparison: Comparison, update: Collection[ElementKey]) -> bool:
+    """Whether a structural update stays as it was drawn: its canonical form is the same, or a longer story and no rule
+    of identity asks for it. The steps to the canonical form look at what is near, so what was drawn may be shorter."""
+    form = canonical_update(comparison, update)
+    if form.edited is comparison.edited:
+        return True
+    longer = _length(Comparison(comparison.base, form.edited)) > _length(comparison)
+    return longer and objected(comparison).isdisjoint(update)
+
+
+def _length(comparison: Comparison) -> tuple[int, int]:
+    """Insertions and deletions, then categories of change."""
+    changes = atomic_changes(comparison)
+    whole = sum(not _WHOLE.isdisjoint(change.categories) for change in changes)
+    return whole, sum(len(change.categories) for change in changes)
 
 
 def canonical_update(comparison: Comparison, update: Collection[ElementKey]) -> Canonical:

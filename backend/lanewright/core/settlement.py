@@ -77,9 +77,9 @@ def _uncross(assignment: Assignment, comparison: Comparison) -> bool:
 
 
 def _match_places(assignment: Assignment, comparison: Comparison) -> bool:
-    """Lanes lengthened or shortened where nothing joins them, runs that took the place of a deleted chain, and turns that
-    kept their function take the old ids: turns together with what is in series with them inside the intersection, else
-    by themselves. The lengthened come first, with all that was drawn up to the loose end: otherwise a joint that
+    """Lanes lengthened or shortened where nothing joins them, runs that took the place of a deleted chain, and turns
+    that kept their function take the old ids: turns together with what is in series with them inside the intersection,
+    else by themselves. The lengthened come first, with all that was drawn up to the loose end: otherwise a joint that
     happens to be near the old end would tell another story."""
     lanes = (((was,), (now,)) for was, now in preserved_lanes(comparison))
     return (

@@ -9,7 +9,7 @@ from typing import Any
 
 from sqlalchemy.orm import Session
 
-from lanewright.core.canonical import Canonical, canonical_form, canonical_updates
+from lanewright.core.canonical import Canonical, canonical_map, canonical_updates
 from lanewright.core.claims import DeclaredMacros
 from lanewright.core.comparison import Comparison
 from lanewright.core.edits import Edit, edits_between
@@ -69,7 +69,7 @@ def proposal(
     task = readable_task(session, actor, task_id)
     evaluation = evaluate(session, task, actor.id, base_revision, edits, declared)
     comparison = evaluation.findings.comparison
-    form = canonical_form(comparison.base, comparison.edited, comparison.changed_keys)
+    form = canonical_map(comparison)
     return {
         "edits": [edit_document(edit) for edit in edits_between(evaluation.edited, _completed(comparison, form))],
         "renamed": rename_documents(form.renamed),

@@ -5,7 +5,8 @@ from __future__ import annotations
 from tests.core.findings import introduced
 from tests.core.worlds import crossing, scenario, straight, world
 
-from lanewright.core.canonical import canonicalise
+from lanewright.core.canonical import canonical_map, canonicalise
+from lanewright.core.comparison import Comparison
 from lanewright.core.diff import diff
 from lanewright.core.edits import apply_edits
 from lanewright.core.elements import ElementKind
@@ -87,6 +88,7 @@ def test_clean_a_story_shorter_than_the_one_that_the_save_knows_stands():
     edited = world(straight(1, 0, 60, 1, 4.5), straight(2, 0, 60, 10, 13.5))
     assert len(diff(BASE, edited).changes) < len(diff(BASE, canonicalise(BASE, edited)).changes)
     assert introduced(BASE, edited) == []
+    assert canonical_map(Comparison(BASE, edited)).edited == edited
 
 
 def test_clean_new_lanes_in_series_that_differ_stay_two():

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from lanewright.core.canonical import Canonical, canonical_update
-from lanewright.core.changes import Category
+from lanewright.core.canonical import stands
 from lanewright.core.comparison import Comparison, same_crossing
 from lanewright.core.crossing_areas import CrossingAreas
-from lanewright.core.diff import diff_of
 from lanewright.core.elements import ElementKey, ElementKind
 from lanewright.core.geometry import lines_of
 from lanewright.core.macros import update_groups
@@ -18,34 +16,14 @@ from lanewright.core.violations import Severity, Violation
 from lanewright.core.wording import crossings_named, lanes_named, listed
 
 CODE = "identity.not_canonical"
-_WHOLE = frozenset({Category.INSERTION, Category.DELETION})
 
 
 def find(comparison: Comparison, told: Collection[ElementKey] = ()) -> Iterator[Violation]:
     """Notes for every structural update whose ids are not the canonical ones, and in which nothing else is wrong
     (``told``: the elements of the violations found already)."""
     for group in update_groups(comparison):
-        if (
-            not any(key in told for key in group)
-            and _ambiguous(comparison, group)
-            and _is_told_better(comparison, canonical_update(comparison, group))
-        ):
+        if not any(key in told for key in group) and _ambiguous(comparison, group) and not stands(comparison, group):
             yield _violation(group)
-
-
-def _is_told_better(comparison: Comparison, canonical: Canonical) -> bool:
-    """Whether the canonical form is another story, and no longer one: the steps to it look at what is near, so that
-    what an annotator drew may be the shorter one, and then it stands."""
-    if canonical.edited is comparison.edited:
-        return False
-    return _length(Comparison(comparison.base, canonical.edited)) <= _length(comparison)
-
-
-def _length(comparison: Comparison) -> tuple[int, int]:
-    """Insertions and deletions, then categories of change."""
-    changes = diff_of(comparison).changes
-    whole = sum(not _WHOLE.isdisjoint(change.categories) for change in changes)
-    return whole, sum(len(change.categories) for change in changes)
 
 
 def _ambiguous(comparison: Comparison, group: Collection[ElementKey]) -> bool:
