@@ -8,8 +8,10 @@ from tests.core.worlds import lane, straight, world
 from lanewright.core.canonical import canonical_map, canonicalise
 from lanewright.core.comparison import Comparison
 from lanewright.core.diff import diff
-from lanewright.core.elements import Mark
+from lanewright.core.edits import apply_edits
+from lanewright.core.elements import MapState, Mark
 from lanewright.core.identity import unlinked
+from lanewright.core.rules import check
 
 SOLID = {"left_mark": Mark.SOLID_WHITE, "right_mark": Mark.SOLID_WHITE}
 
@@ -159,3 +161,39 @@ def test_a_story_that_a_rule_objects_to_does_not_stand():
     base, edited = world(straight(7, 0, 60)), world(straight(7, 0, 60, 20, 23.5))
     form = canonical_map(Comparison(base, edited))
     assert story(base, form.edited) == [("new", "insertion"), (7, "deletion")]
+
+
+#  1 ── 2 ── 3      2 from 50 to 150
+LONG = world(
+    straight(1, 0, 50, successors=(2,)),
+    straight(2, 50, 150, predecessors=(1,), successors=(3,)),
+    straight(3, 150, 200, predecessors=(2,)),
+)
+
+
+def painted_half_way(first: int, **fields: int) -> MapState:
+    """2 cut at 80 and 120, and painted between; the first part under an id."""
+    dashed = {"left_mark": Mark.DASHED_WHITE}
+    return world(
+        straight(1, 0, 50, successors=(first,)),
+        straight(first, 50, 80, predecessors=(1,), successors=(102,), **fields),
+        straight(102, 80, 120, predecessors=(first,), successors=(103,), part_of=2, **dashed),
+        straight(103, 120, 150, predecessors=(102,), successors=(3,), part_of=2),
+        straight(3, 150, 200, predecessors=(103,)),
+    )
+
+
+def test_a_recorded_cut_is_canonical_as_it_is():
+    cut = painted_half_way(101, part_of=2)
+    form = canonical_map(Comparison(LONG, cut))
+    assert form.edited == canonicalise(LONG, cut) == cut
+    assert (form.renamed, form.joined, form.cut) == ({}, (), ())
+
+
+def test_a_part_that_was_drawn_anew_is_a_part_again():
+    #  the first part deleted and drawn as 104
+    drawn = painted_half_way(104)
+    assert canonicalise(LONG, drawn) == painted_half_way(104, part_of=2)
+    (violation,) = check(LONG, drawn)
+    assert apply_edits(drawn, violation.fixes[0].edits) == painted_half_way(104, part_of=2)
+    assert check(LONG, painted_half_way(104, part_of=2)) == ()

@@ -16,6 +16,7 @@ from lanewright.core.alignment import Alignment
 from lanewright.core.comparison import Comparison, crossing_key, lane_key
 from lanewright.core.cuts import marked_as_parts
 from lanewright.core.elements import ElementKey, ElementKind, LaneSegment, Line, MapState, PedestrianCrossing
+from lanewright.core.geometry import lines_of
 from lanewright.core.identity import renamed, with_lanes_exchanged
 from lanewright.core.matching import same_crossings, same_lanes
 from lanewright.core.series import Run
@@ -74,7 +75,7 @@ class Assignment:
         outside_crossings = {key: key for key in edited.crossings if key not in crossing_tokens}
         assignment = cls(
             base,
-            renamed(edited, lane_tokens, crossing_tokens),
+            _with_cuts_forgotten(base, renamed(edited, lane_tokens, crossing_tokens), own_lanes),
             outside | own_lanes,
             outside_crossings | own_crossings,
             next(tokens),
@@ -167,6 +168,10 @@ class Assignment:
                 self.lanes[token] = piece.base
             return
         pieces = []
+        as_drawn = len(inserted) == len(alignment.pieces) and all(
+            lines_of(self.edited.lanes[token]) == lines_of(piece.lane)
+            for token, piece in zip(inserted, alignment.pieces, strict=True)
+        )
         for index, piece in enumerate(alignment.pieces):
             token = inserted[index] if index < len(inserted) else self._fresh_token()
             pieces.append(_under(piece.lane, token))
@@ -174,7 +179,8 @@ class Assignment:
                 self.parts[token] = piece.base
             else:
                 self.lanes[token] = piece.base
-        self.edited = with_lanes_exchanged(self.edited, inserted, pieces)
+        if not as_drawn:
+            self.edited = with_lanes_exchanged(self.edited, inserted, pieces)
 
     def join(self, one: int, other: int) -> None:
         """Let two unmatched lanes in series be one, under the first one's token."""
@@ -198,6 +204,12 @@ def other_than_itself(ids: dict[int, int]) -> dict[int, int]:
 
 def _under(lane: LaneSegment, token: int) -> LaneSegment:
     return dataclasses.replace(lane, id=token, part_of=None)
+
+
+def _with_cuts_forgotten(base: MapState, edited: MapState, tokens: Iterable[int]) -> MapState:
+    """The edited map with lanes that are parts of whole base lanes as lanes like any other."""
+    parts = [lane for lane in map(edited.lanes.__getitem__, tokens) if lane.part_of in base.lanes]
+    return edited.replaced([dataclasses.replace(part, part_of=None) for part in parts]) if parts else edited
 
 
 def _position(lane: LaneSegment) -> tuple[Any, ...]:

@@ -16,7 +16,7 @@ from lanewright.core.assignment import Assignment, other_than_itself
 from lanewright.core.changes import Category
 from lanewright.core.comparison import Comparison, lane_key
 from lanewright.core.diff import atomic_changes
-from lanewright.core.elements import ElementKey, ElementKind, MapState
+from lanewright.core.elements import ElementKey, ElementKind, LaneSegment, MapState
 from lanewright.core.identity import fresh_ids, renamed
 from lanewright.core.macros import update_groups
 from lanewright.core.objections import objected
@@ -54,7 +54,7 @@ def canonical_form(base: MapState, edited: MapState, scope: Collection[ElementKe
     anew; all others keep their ids. None: all.
     """
     if scope is not None:
-        scope = {*scope, *_linked(Comparison(base, edited), scope)}
+        scope = _widened(Comparison(base, edited), scope)
     assignment = Assignment.start(base, edited, scope)
     settle(assignment)
     return _named(assignment, edited, fresh_ids((base, edited)))
@@ -63,7 +63,7 @@ def canonical_form(base: MapState, edited: MapState, scope: Collection[ElementKe
 def canonical_map(comparison: Comparison) -> Canonical:
     """The edited map with every structural update in its canonical form, but for those that stand as drawn."""
     standing = [key for update in update_groups(comparison) if stands(comparison, update) for key in update]
-    return canonical_form(comparison.base, comparison.edited, comparison.changed_keys.difference(standing))
+    return canonical_form(comparison.uncut_base, comparison.edited, comparison.changed_keys.difference(standing))
 
 
 def stands(comparison: Comparison, update: Collection[ElementKey]) -> bool:
@@ -72,7 +72,7 @@ def stands(comparison: Comparison, update: Collection[ElementKey]) -> bool:
     form = canonical_update(comparison, update)
     if form.edited is comparison.edited:
         return True
-    longer = _length(Comparison(comparison.base, form.edited)) > _length(comparison)
+    longer = _length(Comparison(comparison.uncut_base, form.edited)) > _length(comparison)
     return longer and objected(comparison).isdisjoint(update)
 
 
@@ -87,11 +87,12 @@ def canonical_update(comparison: Comparison, update: Collection[ElementKey]) -> 
     """The edited map with one structural update in its canonical form. No other update touches it, so it is settled as
     if it were the only one; lanes linked to what came or went are looked at along with it, since one of them may be
     the one to replace."""
-    base, edited = comparison.base, comparison.edited
-    others = comparison.changed_keys.difference(update)
+    base, edited = comparison.uncut_base, comparison.edited
+    scope = _widened(comparison, update)
+    others = comparison.changed_keys.difference(scope)
     back = [element for element in map(base.get, others) if element is not None]
-    alone = edited.replaced(back, [key for key in others if key not in base])
-    assignment = Assignment.start(base, alone, {*update, *_linked(comparison, update)})
+    alone = edited.replaced(back, [key for key in others if key not in comparison.base])
+    assignment = Assignment.start(base, alone, scope)
     settle(assignment)
     form = _named(assignment, alone, fresh_ids((base, edited)))
     if form.edited is alone:
@@ -106,11 +107,23 @@ def canonical_updates(comparison: Comparison, updates: Iterable[Collection[Eleme
     """The edited map with several structural updates in their canonical form."""
     form = Canonical(comparison.edited, {}, (), ())
     for update in updates:
-        settled = canonical_update(Comparison(comparison.base, form.edited), update)
+        settled = canonical_update(Comparison(comparison.uncut_base, form.edited), update)
         form = Canonical(
             settled.edited, form.renamed | settled.renamed, form.joined + settled.joined, form.cut + settled.cut
         )
     return form
+
+
+def _widened(comparison: Comparison, update: Collection[ElementKey]) -> set[ElementKey]:
+    """An update, lanes linked to those of it that came or went, and the lanes that these are cut from, in all parts."""
+    scope = {*update, *_linked(comparison, update)}
+    states = (comparison.base, comparison.edited)
+    in_scope = [state.get(key) for key in scope for state in states]
+    wholes = {lane.part_of for lane in in_scope if isinstance(lane, LaneSegment) and lane.part_of is not None}
+    if wholes:
+        scope.update(map(lane_key, wholes))
+        scope.update(lane.key for state in states for lane in state.lanes.values() if lane.part_of in wholes)
+    return scope
 
 
 def _linked(comparison: Comparison, update: Collection[ElementKey]) -> Iterator[ElementKey]:
@@ -134,8 +147,16 @@ def _named(assignment: Assignment, original: MapState, fresh: Iterator[int]) -> 
         _with_known_objects(final, original),
         dict(_renames(assignment, lanes, crossings)),
         tuple(sorted(own for token, own in assignment.own_lane_ids.items() if token not in lanes)),
-        tuple(sorted(set(assignment.parts.values()))),
+        tuple(sorted(set(_newly_cut(assignment, original)))),
     )
+
+
+def _newly_cut(assignment: Assignment, original: MapState) -> Iterator[int]:
+    """Base lanes that have a part of which the original has no such record."""
+    for token, whole in assignment.parts.items():
+        known = original.lanes.get(assignment.own_lane_ids.get(token, token))
+        if known is None or known.part_of != whole:
+            yield whole
 
 
 def _final_ids(

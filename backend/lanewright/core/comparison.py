@@ -30,9 +30,13 @@ _Apart = tuple[list[int], list[int], list[int]]
 
 
 class Comparison:
-    """Base and edited map compared (spec §2: B, E, survivors, deleted, inserted)."""
+    """Base and edited map compared (spec §2: B, E, survivors, deleted, inserted).
+
+    ``base`` is cut as the edited map records; ``uncut_base`` is the one that came.
+    """
 
     def __init__(self, base: MapState, edited: MapState, claims: Claims = NO_CLAIMS):
+        self.uncut_base = base
         self.apart = edited.apart(base)
         self.base, self.edited = cut_alike(base, edited, self.apart)
         if self.base is not base or self.edited is not edited:

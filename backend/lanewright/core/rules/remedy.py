@@ -36,7 +36,9 @@ def identity_remedies(comparison: Comparison, violation: Violation) -> Iterator[
 def _canonical_remedy(comparison: Comparison, group: Group) -> Remedy:
     known = _remembered.setdefault(comparison, {})
     if group not in known:
-        canonical = canonical_update(comparison, group) if group else canonical_form(comparison.base, comparison.edited)
+        canonical = (
+            canonical_update(comparison, group) if group else canonical_form(comparison.uncut_base, comparison.edited)
+        )
         edited = with_links_completed(comparison.base, canonical.edited)
         known[group] = Remedy(_button(canonical, comparison.base), edited)
     return known[group]

@@ -90,7 +90,7 @@ class FixTrial:
         return left
 
     def _after(self, remedy: Remedy) -> Comparison:
-        return Comparison(self._comparison.base, remedy.edited, remedy.claims or self._comparison.claims)
+        return Comparison(self._comparison.uncut_base, remedy.edited, remedy.claims or self._comparison.claims)
 
     def _completed(self, remedy: Remedy, left: tuple[Violation, ...]) -> tuple[Remedy, tuple[Violation, ...]]:
         """A remedy together with those of what it lays bare, as far as each leaves less to do than before."""
