@@ -52,9 +52,9 @@ def save(task_id: RowNumber, body: SaveIn, actor: AnyActor, session: SessionDep)
     """Saves one changeset as the next revision. The same UUID with the same contents is answered byte for byte alike.
 
     Where the check notes ``identity.not_canonical``, the canonical form is stored; ``canonical`` says what is called
-    otherwise now. ``declarations`` replace all that stood before.
+    otherwise now. ``declarations`` replace all that stood before; left out, those of the base revision stay.
 
-    409 ``save.stale``: others changed the same elements (facts.conflicts: base, mine, theirs; facts.declarations: theirs).
+    409 ``save.stale``: others changed the same elements (facts.conflicts: base, mine, theirs, and facts.declarations).
     409 ``save.empty``: nothing differs. 409 ``save.replayed_differently``: the UUID was saved with other contents.
     409 ``task.state``: the task is not open for edits.
     422 ``save.violations``: the rules refuse it (facts.violations, with fixes).
