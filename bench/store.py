@@ -92,6 +92,10 @@ def _store() -> Iterator[tuple[str, Path]]:
                 engine_for(url).dispose()
 
 
+def _under(edit: Edit, new: int) -> Edit:
+    return replace(edit, id=new, attributes={**edit.attributes, "id": new})
+
+
 class _Desk:
     """An admin beside one imported log."""
 
@@ -163,7 +167,7 @@ class _Desk:
         with transaction(self._url) as session:
             first, last = take_block(session, self._actor, task_id)
         ids = iter(range(first, last + 1))
-        own = [replace(edit, id=next(ids)) if edit.operation is Operation.INSERT else edit for edit in edits]
+        own = [_under(edit, next(ids)) if edit.operation is Operation.INSERT else edit for edit in edits]
         return task_id, line_id, own
 
     def _rows_of(self, line_id: int) -> dict[str, list[dict[str, Any]]]:
