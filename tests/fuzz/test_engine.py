@@ -97,8 +97,9 @@ SPOILERS: list[Any] = [
 def spoilt_documents(draw: st.DrawFn) -> Document:
     """A pair as one file, with one value somewhere replaced by nonsense, or gone."""
     base, edited = draw(pairs_of_documents())
-    document: Any = {"base": base, "edited": edited}
-    at, places = document, []
+    document: dict[str, Any] = {"base": base, "edited": edited}
+    at: Any = document
+    places: list[Any] = []
     while isinstance(at, dict | list) and at:
         key = draw(st.sampled_from(sorted(at) if isinstance(at, dict) else range(len(at))))
         places.append((at, key))
@@ -108,7 +109,7 @@ def spoilt_documents(draw: st.DrawFn) -> Document:
         holder[key] = draw(st.sampled_from(SPOILERS))
     else:
         del holder[key]
-    return document  # type: ignore[no-any-return]
+    return document
 
 
 @settings(max_examples=150, suppress_health_check=[*SLOW, HealthCheck.function_scoped_fixture])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import uuid
+from typing import Any
 
 import pytest
 from sqlalchemy import text
@@ -28,15 +29,15 @@ def test_a_draft_is_kept_while_its_task_is_being_saved(fresh_database: str) -> N
         admin = sessions.actor_of(accounts.add(session, name="admin", role=Role.ADMIN, password="a long password"))
         add_log(session)
         task = tasks.create(session, admin, log_id="log-one", direction=None, assignee_id=admin.id)
-    draft = {"base_revision": 0, "edits": [edit_document(REPAINTED)], "declared": (), "seen_version": 0}
+    draft: dict[str, Any] = {"base_revision": 0, "edits": [edit_document(REPAINTED)], "declared": (), "seen_version": 0}
     with transaction(fresh_database) as saving:
         readable_task(saving, admin, task.id, lock=True)
         with transaction(fresh_database) as keeping:
             keeping.execute(text("SET LOCAL lock_timeout = '10s'"))
-            keep_draft(keeping, admin, task.id, **draft)  # type: ignore[arg-type]
+            keep_draft(keeping, admin, task.id, **draft)
         save(saving, admin, task.id, base_revision=0, edits=[REPAINTED], changeset_uuid=uuid.uuid4(), note="")
     with transaction(fresh_database) as session:
         assert drafts.find(session, task.id, admin.id) is None
         with pytest.raises(Conflict) as refused:
-            keep_draft(session, admin, task.id, **draft)  # type: ignore[arg-type]
+            keep_draft(session, admin, task.id, **draft)
         assert refused.value.code == "draft.superseded"

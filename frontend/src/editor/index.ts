@@ -22,6 +22,7 @@ export type {
   VertexRef,
 } from "./elements";
 export { isSide, keyText, otherSide, parseKey } from "./elements";
+export { equalElements } from "./equality";
 export { type Joint, stationOf } from "./joint";
 export { commandOf, KEY_TABLE, type KeyBinding, type KeyCommand, type KeyPress, nudgeOf } from "./keys";
 export { boundary, lineNames, lineOf, markOf, neighborOf, ringOf } from "./lines";

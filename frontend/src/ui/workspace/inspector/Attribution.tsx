@@ -1,4 +1,4 @@
-import { elementOf, keyText, type MapElement } from "../../../editor";
+import { elementOf, equalElements, keyText, type MapElement } from "../../../editor";
 import { useNow } from "../../parts/useNow";
 import { ago } from "../../parts/words";
 import { useEditor, useScreen } from "../context";
@@ -9,8 +9,8 @@ export function Attribution({ element, deleted }: { element: MapElement; deleted
   const version = useScreen((state) => state.versions.get(keyText(element)));
   const revision = useScreen((state) => state.revisions.find(({ number }) => number === version));
   const unsaved = useEditor((state) => {
-    const stored = elementOf(state.saved, element)?.attributes;
-    return deleted ? stored !== undefined : stored !== element.attributes;
+    const stored = elementOf(state.saved, element);
+    return deleted ? stored !== null : !equalElements(stored, element);
   });
   const now = useNow();
   let words = "imported, unchanged since";
