@@ -14,10 +14,7 @@ import numpy as np
 from lanewright.core.elements import LaneSegment
 from lanewright.core.geometry import centreline, moved
 from lanewright.core.identity import joinable
-from lanewright.core.series import Run, Station, along
-
-NEAR_M = 3.0
-"""Joints of base and edited run within this distance are one joint."""
+from lanewright.core.series import NEAR_M, Run, Station, along, apart_m
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,14 +131,14 @@ def _matched_joints(was: Run, now: Run, fixed: Sequence[int], goals: Sequence[St
     matched: dict[int, int] = {}
     for same_transition in (False, True):
         pairs = [
-            (_apart(now.joints[joint], goal), index, joint)
+            (apart_m(now.joints[joint], goal), index, joint)
             for index, goal in enumerate(goals)
             for joint in fixed
             if index not in matched
             and (
                 _same_transition(was, index, now, joint)
                 if same_transition
-                else _apart(now.joints[joint], goal) <= NEAR_M
+                else apart_m(now.joints[joint], goal) <= NEAR_M
             )
         ]
         for _, index, joint in sorted(pairs):
@@ -150,10 +147,6 @@ def _matched_joints(was: Run, now: Run, fixed: Sequence[int], goals: Sequence[St
             ):
                 matched[index] = joint
     return matched
-
-
-def _apart(one: Station, other: Station) -> float:
-    return (abs(one[0] - other[0]) + abs(one[1] - other[1])) / 2
 
 
 def _same_transition(was: Run, index: int, now: Run, joint: int) -> bool:
@@ -166,8 +159,8 @@ def _same_transition(was: Run, index: int, now: Run, joint: int) -> bool:
 
 def _snapped(now: Run, goal: Station, snap_m: float) -> Station:
     """The edited run's own joint near the goal, if any; else the goal."""
-    near = [joint for joint in now.joints if _apart(joint, goal) <= snap_m]
-    return min(near, key=lambda joint: _apart(joint, goal), default=goal)
+    near = [joint for joint in now.joints if apart_m(joint, goal) <= snap_m]
+    return min(near, key=lambda joint: apart_m(joint, goal), default=goal)
 
 
 def _ordered(stations: list[tuple[Station, bool]], ends: Station) -> list[tuple[Station, bool]]:

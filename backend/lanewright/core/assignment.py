@@ -8,17 +8,18 @@ from __future__ import annotations
 
 import copy
 import dataclasses
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import count
 from typing import Any
 
 from lanewright.core.alignment import Alignment
 from lanewright.core.comparison import Comparison, crossing_key, lane_key
 from lanewright.core.cuts import marked_as_parts
-from lanewright.core.elements import ElementKey, ElementKind, LaneSegment, Line, MapState, PedestrianCrossing
+from lanewright.core.elements import ElementKey, LaneSegment, Line, MapState, PedestrianCrossing
 from lanewright.core.geometry import lines_of
 from lanewright.core.identity import renamed, with_lanes_exchanged
 from lanewright.core.matching import same_crossings, same_lanes
+from lanewright.core.segmentation import segmented
 from lanewright.core.series import Run
 from lanewright.core.survey import largest_id_named
 
@@ -30,7 +31,8 @@ class Assignment:
         base: the base map.
         edited: the edited map under tokens; re-cut as matches of whole runs ask for it.
         lanes, crossings: token -> base id, for what is matched.
-        own_lane_ids, own_crossing_ids: token -> id in the edited map as it came.
+        own_lane_ids, own_crossing_ids: token -> id in the edited map as it came; new pieces have none.
+        drawn: the lanes of the edited map, as it came, that were looked at anew.
         scope: the elements (of either map) to be looked at anew; None: all.
         parts: token -> base lane that is cut, for the parts of it.
         banned: pairs of token and base id that the rules forbid.
@@ -42,8 +44,10 @@ class Assignment:
         edited: MapState,
         own_lanes: dict[int, int],
         own_crossings: dict[int, int],
-        first_free: int,
+        drawn: frozenset[int],
         scope: Collection[ElementKey] | None,
+        first_token: int,
+        numbers: Iterator[int],
     ):
         self.base = base
         self.edited = edited
@@ -53,33 +57,35 @@ class Assignment:
         self.crossings: dict[int, int] = {}
         self.banned: set[tuple[int, int]] = set()
         self.parts: dict[int, int] = {}
+        self.drawn = drawn
         self.scope = scope
-        self._next = first_free
+        self._first_token = first_token
+        self._numbers = numbers
 
     @classmethod
     def start(cls, base: MapState, edited: MapState, scope: Collection[ElementKey] | None) -> Assignment:
         """Everything outside the scope matched by its id, what has the same lines matched by those."""
-        lanes: Iterable[LaneSegment] = edited.lanes.values()
-        crossings: Iterable[PedestrianCrossing] = edited.crossings.values()
-        if scope is not None:
-            inside = [element for element in map(edited.get, scope) if element is not None]
-            lanes = [element for element in inside if isinstance(element, LaneSegment)]
-            crossings = [element for element in inside if isinstance(element, PedestrianCrossing)]
-        tokens = count(1 + largest_id_named(base, edited))
-        own_lanes = {next(tokens): lane.id for lane in sorted(lanes, key=_position)}
-        own_crossings = {next(tokens): crossing.id for crossing in sorted(crossings, key=_crossing_position)}
+        numbers = count(1 + largest_id_named(base, edited))
+        drawn, crossings = _inside(edited, scope)
+        settled = () if scope is None else [key for key in base.lanes if lane_key(key) not in scope]
+        recut = segmented(base, _with_cuts_forgotten(base, edited, drawn), drawn, settled, lambda: next(numbers))
+        free = [lane for key, lane in recut.lanes.items() if key in drawn or key not in edited.lanes]
+        own_lanes = {next(numbers): lane.id for lane in sorted(free, key=_position)}
+        own_crossings = {next(numbers): crossing.id for crossing in sorted(crossings, key=_crossing_position)}
         lane_tokens = {own: token for token, own in own_lanes.items()}
         crossing_tokens = {own: token for token, own in own_crossings.items()}
         # What is out of the scope goes by its own id, as its token and as its match.
-        outside = {key: key for key in edited.lanes if key not in lane_tokens}
+        outside = {key: key for key in recut.lanes if key not in lane_tokens}
         outside_crossings = {key: key for key in edited.crossings if key not in crossing_tokens}
         assignment = cls(
             base,
-            _with_cuts_forgotten(base, renamed(edited, lane_tokens, crossing_tokens), own_lanes),
-            outside | own_lanes,
+            renamed(recut, lane_tokens, crossing_tokens),
+            outside | {token: own for token, own in own_lanes.items() if own in drawn},
             outside_crossings | own_crossings,
-            next(tokens),
+            drawn,
             scope,
+            min((*own_lanes, *own_crossings), default=0),
+            numbers,
         )
         assignment.lanes = {key: key for key in outside if key in base.lanes}
         assignment.crossings = {key: key for key in outside_crossings if key in base.crossings}
@@ -146,20 +152,14 @@ class Assignment:
 
     def is_free(self, lanes: Iterable[int]) -> bool:
         """Whether lanes, as the comparison names them (base id or token), are all to be looked at anew."""
-        if self.scope is None:
-            return True
-        tokens = self.tokens
-        return all(tokens[lane] != lane if lane in tokens else self._in_scope(lane_key(lane)) for lane in lanes)
+        return all(self._in_scope(lane_key(lane)) for lane in lanes)
 
     def is_free_crossing(self, crossing: int) -> bool:
         """Whether an unmatched crossing, of the base or under its token, is to be looked at anew."""
         return self._in_scope(crossing_key(crossing))
 
     def _in_scope(self, key: ElementKey) -> bool:
-        if self.scope is None:
-            return True
-        own = self.own_lane_ids if key.kind is ElementKind.LANE_SEGMENT else self.own_crossing_ids
-        return ElementKey(key.kind, own.get(key.id, key.id)) in self.scope
+        return self.scope is None or key.id >= self._first_token or key in self.scope
 
     def match_run(self, deleted: Sequence[int], inserted: Sequence[int], alignment: Alignment) -> None:
         """Let a run of the edited map be the base lanes it is aligned with, re-cut if the alignment says so."""
@@ -173,7 +173,7 @@ class Assignment:
             for token, piece in zip(inserted, alignment.pieces, strict=True)
         )
         for index, piece in enumerate(alignment.pieces):
-            token = inserted[index] if index < len(inserted) else self._fresh_token()
+            token = inserted[index] if index < len(inserted) else next(self._numbers)
             pieces.append(_under(piece.lane, token))
             if piece.is_part:
                 self.parts[token] = piece.base
@@ -189,12 +189,8 @@ class Assignment:
 
     def cut(self, token: int, pieces: Sequence[LaneSegment], kept: int) -> None:
         """Let an unmatched lane be those pieces in series; the one at ``kept`` keeps its token."""
-        named = [_under(piece, token if index == kept else self._fresh_token()) for index, piece in enumerate(pieces)]
+        named = [_under(piece, token if index == kept else next(self._numbers)) for index, piece in enumerate(pieces)]
         self.edited = with_lanes_exchanged(self.edited, [token], named)
-
-    def _fresh_token(self) -> int:
-        self._next += 1
-        return self._next - 1
 
 
 def other_than_itself(ids: dict[int, int]) -> dict[int, int]:
@@ -206,9 +202,20 @@ def _under(lane: LaneSegment, token: int) -> LaneSegment:
     return dataclasses.replace(lane, id=token, part_of=None)
 
 
-def _with_cuts_forgotten(base: MapState, edited: MapState, tokens: Iterable[int]) -> MapState:
+def _inside(
+    edited: MapState, scope: Collection[ElementKey] | None
+) -> tuple[frozenset[int], Collection[PedestrianCrossing]]:
+    """The lanes (by id) and crossings of the edited map that are in the scope."""
+    if scope is None:
+        return frozenset(edited.lanes), edited.crossings.values()
+    inside = [element for element in map(edited.get, scope) if element is not None]
+    lanes = frozenset(element.id for element in inside if isinstance(element, LaneSegment))
+    return lanes, [element for element in inside if isinstance(element, PedestrianCrossing)]
+
+
+def _with_cuts_forgotten(base: MapState, edited: MapState, lanes: Iterable[int]) -> MapState:
     """The edited map with lanes that are parts of whole base lanes as lanes like any other."""
-    parts = [lane for lane in map(edited.lanes.__getitem__, tokens) if lane.part_of in base.lanes]
+    parts = [lane for lane in map(edited.lanes.__getitem__, lanes) if lane.part_of in base.lanes]
     return edited.replaced([dataclasses.replace(part, part_of=None) for part in parts]) if parts else edited
 
 

@@ -12,14 +12,17 @@ import dataclasses
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
+from lanewright.core.as_drawn import as_drawn
 from lanewright.core.assignment import Assignment, other_than_itself
 from lanewright.core.changes import Category
-from lanewright.core.comparison import Comparison, lane_key
+from lanewright.core.comparison import Comparison
 from lanewright.core.diff import atomic_changes
-from lanewright.core.elements import ElementKey, ElementKind, LaneSegment, MapState
+from lanewright.core.elements import ElementKey, ElementKind, MapState
 from lanewright.core.identity import fresh_ids, renamed
 from lanewright.core.macros import update_groups
+from lanewright.core.matching import lanes_by_place, place_of
 from lanewright.core.objections import objected
+from lanewright.core.scope import widened, worked_out_together
 from lanewright.core.settlement import settle
 
 _WHOLE = frozenset({Category.INSERTION, Category.DELETION})
@@ -54,7 +57,7 @@ def canonical_form(base: MapState, edited: MapState, scope: Collection[ElementKe
     anew; all others keep their ids. None: all.
     """
     if scope is not None:
-        scope = _widened(Comparison(base, edited), scope)
+        scope = widened(Comparison(base, edited), scope)
     assignment = Assignment.start(base, edited, scope)
     settle(assignment)
     return _named(assignment, edited, fresh_ids((base, edited)))
@@ -69,11 +72,12 @@ def canonical_map(comparison: Comparison) -> Canonical:
 def stands(comparison: Comparison, update: Collection[ElementKey]) -> bool:
     """Whether a structural update stays as it was drawn: its canonical form is the same, or a longer story and no rule
     of identity asks for it. The steps to the canonical form look at what is near, so what was drawn may be shorter."""
-    form = canonical_update(comparison, update)
+    together = worked_out_together(comparison, update)
+    form = canonical_update(comparison, together)
     if form.edited is comparison.edited:
         return True
     longer = _length(Comparison(comparison.uncut_base, form.edited)) > _length(comparison)
-    return longer and objected(comparison).isdisjoint(update)
+    return longer and objected(comparison).isdisjoint(together)
 
 
 def _length(comparison: Comparison) -> tuple[int, int]:
@@ -84,11 +88,11 @@ def _length(comparison: Comparison) -> tuple[int, int]:
 
 
 def canonical_update(comparison: Comparison, update: Collection[ElementKey]) -> Canonical:
-    """The edited map with one structural update in its canonical form. No other update touches it, so it is settled as
-    if it were the only one; lanes linked to what came or went are looked at along with it, since one of them may be
-    the one to replace."""
+    """The edited map with one structural update in its canonical form. It is settled as if it were the only one; lanes
+    linked to what came or went are looked at along with it, since one of them may be the one to replace, and so are
+    other updates that meet these."""
     base, edited = comparison.uncut_base, comparison.edited
-    scope = _widened(comparison, update)
+    scope = widened(comparison, worked_out_together(comparison, update))
     others = comparison.changed_keys.difference(scope)
     back = [element for element in map(base.get, others) if element is not None]
     alone = edited.replaced(back, [key for key in others if key not in comparison.base])
@@ -114,41 +118,34 @@ def canonical_updates(comparison: Comparison, updates: Iterable[Collection[Eleme
     return form
 
 
-def _widened(comparison: Comparison, update: Collection[ElementKey]) -> set[ElementKey]:
-    """An update, lanes linked to those of it that came or went, and the lanes that these are cut from, in all parts."""
-    scope = {*update, *_linked(comparison, update)}
-    states = (comparison.base, comparison.edited)
-    in_scope = [state.get(key) for key in scope for state in states]
-    wholes = {lane.part_of for lane in in_scope if isinstance(lane, LaneSegment) and lane.part_of is not None}
-    if wholes:
-        scope.update(map(lane_key, wholes))
-        scope.update(lane.key for state in states for lane in state.lanes.values() if lane.part_of in wholes)
-    return scope
-
-
-def _linked(comparison: Comparison, update: Collection[ElementKey]) -> Iterator[ElementKey]:
-    """The lanes linked to those of an update that came or went."""
-    for graph, other in (
-        (comparison.base_graph, comparison.edited_graph),
-        (comparison.edited_graph, comparison.base_graph),
-    ):
-        for kind, key in update:
-            if kind is ElementKind.LANE_SEGMENT and key in graph.lanes and key not in other.lanes:
-                yield from map(lane_key, (*graph.successors[key], *graph.predecessors[key]))
-
-
 def _named(assignment: Assignment, original: MapState, fresh: Iterator[int]) -> Canonical:
     """The assignment under final ids."""
     taken = {*assignment.base.lanes, *assignment.base.crossings}
+    assignment.own_lane_ids = _drawn_lanes(assignment, original)
     lanes = _final_ids(assignment.edited.lanes, assignment.lanes, assignment.own_lane_ids, taken, fresh)
     crossings = _final_ids(assignment.edited.crossings, assignment.crossings, assignment.own_crossing_ids, taken, fresh)
     final = assignment.with_parts_named(renamed(assignment.edited, *map(other_than_itself, (lanes, crossings))), lanes)
+    final = as_drawn(assignment.base, original, _with_known_objects(final, original))
     return Canonical(
         _with_known_objects(final, original),
         dict(_renames(assignment, lanes, crossings)),
-        tuple(sorted(own for token, own in assignment.own_lane_ids.items() if token not in lanes)),
+        tuple(sorted(assignment.drawn.difference(map(assignment.own_lane_ids.get, lanes), lanes.values()))),
         tuple(sorted(set(_newly_cut(assignment, original)))),
     )
+
+
+def _drawn_lanes(assignment: Assignment, original: MapState) -> dict[int, int]:
+    """Token -> the lane that was drawn: the one on the same lines, else the one it came from."""
+    drawn = lanes_by_place({lane: original.lanes[lane] for lane in sorted(assignment.drawn)})
+    came_from = {token: own for token, own in assignment.own_lane_ids.items() if token in assignment.edited.lanes}
+    found: dict[int, int] = {}
+    for token in sorted(assignment.edited.lanes):
+        here = drawn.get(place_of(assignment.edited.lanes[token]), [])
+        if here:
+            found[token] = came_from[token] if came_from.get(token) in here else here[0]
+            here.remove(found[token])
+    known = set(found.values())
+    return {token: own for token, own in came_from.items() if own not in known} | found
 
 
 def _newly_cut(assignment: Assignment, original: MapState) -> Iterator[int]:

@@ -52,12 +52,18 @@ def atomic_changes(comparison: Comparison) -> tuple[AtomicChange, ...]:
     return tuple(sorted(found, key=lambda change: change.key))
 
 
-def _whole(category: Category, element: Element, graph: RoadGraph) -> AtomicChange:
-    """An insertion or deletion; its links as either side says, so that applying it brings them back."""
+def _attributes(element: Element, graph: RoadGraph) -> dict[str, Any]:
+    """The attributes, links as either side says them, so that applying a change brings them back."""
     attributes = element_attributes(element)
     if isinstance(element, LaneSegment):
         for name, linked in (("successors", graph.successors), ("predecessors", graph.predecessors)):
             attributes[name] += [other for other in linked[element.id] if other not in attributes[name]]
+    return attributes
+
+
+def _whole(category: Category, element: Element, graph: RoadGraph) -> AtomicChange:
+    """An insertion or deletion."""
+    attributes = _attributes(element, graph)
     old, new = (attributes, None) if category is Category.DELETION else (None, attributes)
     return AtomicChange(element.key.kind, element.id, (category,), (), old, new)
 
@@ -87,7 +93,7 @@ def _lane_change(comparison: Comparison, lane: int, linked: bool) -> AtomicChang
         names |= {"successors", "predecessors"}
     if not categories:
         return None
-    old, new = _differing(element_attributes(was), element_attributes(now), names)
+    old, new = _differing(_attributes(was, comparison.base_graph), _attributes(now, comparison.edited_graph), names)
     return AtomicChange(ElementKind.LANE_SEGMENT, lane, tuple(sorted(categories)), tuple(sorted(leaves)), old, new)
 
 

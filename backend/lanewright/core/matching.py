@@ -28,8 +28,8 @@ def same_lanes(base: MapState, edited: MapState, known: Mapping[int, int], own: 
     rest = {key: edited.lanes[key] for key in sorted(own)}
     matched = dict(known)
     crowded = []
-    by_place = _by_place(left)
-    for place, keys in _by_place(rest).items():
+    by_place = lanes_by_place(left)
+    for place, keys in lanes_by_place(rest).items():
         olds = by_place.get(place, [])
         if len(olds) == len(keys) == 1:
             matched[keys[0]] = olds[0]
@@ -43,11 +43,17 @@ def same_lanes(base: MapState, edited: MapState, known: Mapping[int, int], own: 
     return matched | _unmoved(left, rest)
 
 
-def _by_place(lanes: Mapping[int, LaneSegment]) -> dict[Place, list[int]]:
+def lanes_by_place(lanes: Mapping[int, LaneSegment]) -> dict[Place, list[int]]:
+    """The ids of the lanes on each pair of lines."""
     places: dict[Place, list[int]] = {}
     for key, lane in lanes.items():
-        places.setdefault((_plan(lane.left_boundary), _plan(lane.right_boundary)), []).append(key)
+        places.setdefault(place_of(lane), []).append(key)
     return places
+
+
+def place_of(lane: LaneSegment) -> Place:
+    """A lane's left and right boundary in the plane."""
+    return _plan(lane.left_boundary), _plan(lane.right_boundary)
 
 
 class _Links:

@@ -17,6 +17,8 @@ from lanewright.core.identity import joined
 Station = tuple[float, float]
 """Arc lengths on the left and the right boundary, metres."""
 SAME_POINT_M = 1e-6
+NEAR_M = 3.0
+"""Joints of base and edited run within this distance are one joint."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +78,11 @@ class Run:
         ]
 
 
+def apart_m(one: Station, other: Station) -> float:
+    """How far two stations of one run are apart, on the mean of both sides."""
+    return (abs(one[0] - other[0]) + abs(one[1] - other[1])) / 2
+
+
 def along(line: Line, point: Point) -> tuple[float, float]:
     """Arc length of the nearest point on a line, and how far away that is."""
     points = plan(line)
@@ -92,17 +99,17 @@ def along(line: Line, point: Point) -> tuple[float, float]:
 
 def point_at(line: Line, station: float) -> Point:
     """The point at an arc length: a vertex itself where one is there, else interpolated, z too."""
-    for vertex, here in zip(line, _stations(plan(line)), strict=True):
+    for vertex, here in zip(line, vertex_stations(line), strict=True):
         if abs(here - station) <= SAME_POINT_M:
             return vertex
-    stations = _stations(plan(line))
+    stations = vertex_stations(line)
     x, y, z = (float(np.interp(station, stations, [vertex[axis] for vertex in line])) for axis in (0, 1, 2))
     return (x, y, z) if math.isfinite(z) else (x, y, math.nan)
 
 
 def between(line: Line, start: float, finish: float) -> Line:
     """The part of a line between two arc lengths, ends included."""
-    stations = _stations(plan(line))
+    stations = vertex_stations(line)
     inner = [
         vertex
         for vertex, here in zip(line, stations, strict=True)
@@ -111,6 +118,15 @@ def between(line: Line, start: float, finish: float) -> Line:
     return (point_at(line, start), *inner, point_at(line, finish))
 
 
-def _stations(points: Plan) -> Plan:
+def at_vertex(line: Line, station: float, limit_m: float) -> float:
+    """The arc length of an inner vertex of a line that is that close to another arc length; else that one."""
+    inner = vertex_stations(line)[1:-1].tolist()
+    nearest = min(inner, key=lambda vertex: abs(vertex - station), default=station)
+    return nearest if abs(nearest - station) <= limit_m else station
+
+
+def vertex_stations(line: Line) -> Plan:
+    """The arc length of each vertex of a line."""
+    points = plan(line)
     stations: Plan = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points, axis=0).T))])
     return stations

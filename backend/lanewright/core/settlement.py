@@ -7,8 +7,9 @@ from itertools import pairwise
 
 from lanewright.core.alignment import Alignment, align
 from lanewright.core.assignment import Assignment
+from lanewright.core.beside import LanesBeside
 from lanewright.core.comparison import COINCIDENT_M, Comparison, crossing_key
-from lanewright.core.elements import LaneSegment, MapState
+from lanewright.core.elements import LaneSegment
 from lanewright.core.geometry import distance_m, end_midpoint, overlap, readable_element
 from lanewright.core.identity import joinable
 from lanewright.core.loose_ends import lengthened_runs, outgrown_runs
@@ -186,6 +187,7 @@ def _keep_right(assignment: Assignment, comparison: Comparison) -> bool:
 
 def _join_inserted(assignment: Assignment, comparison: Comparison) -> bool:
     """Inserted lanes in series become one where nothing differs between them and no lane beside them ends there."""
+    beside = LanesBeside(comparison)
     for chain in comparison.edited_graph.chains(comparison.inserted_lanes):
         for one, other in pairwise(chain):
             pair = [comparison.edited.lanes[lane] for lane in (one, other)]
@@ -193,7 +195,7 @@ def _join_inserted(assignment: Assignment, comparison: Comparison) -> bool:
                 joinable(*pair)
                 and assignment.is_free([one, other])
                 and all(map(readable_element, pair))
-                and not _ends_beside(comparison.edited, *pair)
+                and not _ends_beside(beside, *pair)
             ):
                 assignment.join(one, other)
                 return True
@@ -233,17 +235,25 @@ def _pieces_at(comparison: Comparison, tip: Endpoint, lane: int) -> list[LaneSeg
     return pieces if distance_m(there, end_midpoint(was, end)) <= COINCIDENT_M else []
 
 
-def _ends_beside(state: MapState, one: LaneSegment, other: LaneSegment) -> bool:
+def _ends_beside(beside: LanesBeside, one: LaneSegment, other: LaneSegment) -> bool:
     """Whether a third lane ends at the joint of two: their segmentation follows it."""
-    joint = {one.left_boundary[-1][:2], one.right_boundary[-1][:2]}
-    return any(
-        line[end][:2] in joint
-        for lane in state.lanes.values()
-        if lane.id not in (one.id, other.id)
-        for line in (lane.left_boundary, lane.right_boundary)
-        for end in (0, -1)
-        if line
+    pair, whole = (one.id, other.id), Run.of([one, other]).whole
+    return beside.end_at(one.left_boundary[-1][:2], whole.left_boundary, pair) or beside.end_at(
+        one.right_boundary[-1][:2], whole.right_boundary, pair
     )
+
+
+def _cut_beside(assignment: Assignment, comparison: Comparison) -> bool:
+    """Inserted lanes are cut where lanes beside them end."""
+    beside = LanesBeside(comparison)
+    for lane in sorted(comparison.inserted_lanes):
+        whole = comparison.edited.lanes[lane]
+        if assignment.is_free([lane]) and lane not in assignment.parts and readable_element(whole):
+            joints = beside.joints_of(whole)
+            if joints:
+                assignment.cut(lane, Run.of([whole]).pieces(joints), 0)
+                return True
+    return False
 
 
 _STEPS = (
@@ -254,7 +264,8 @@ _STEPS = (
     _match_places,
     _part_anchors,
     _match_crossings,
-    _keep_right,
-    _join_inserted,
     _keep_to_loose_ends,
+    _join_inserted,
+    _cut_beside,
+    _keep_right,
 )

@@ -9,6 +9,7 @@ from tests.core.findings import introduced, mended, only
 from tests.core.worlds import lane, straight, street, world
 
 from lanewright.core.edits import apply_edits
+from lanewright.core.elements import LaneType
 from lanewright.core.rules import check
 from lanewright.core.rules.link_one_sided import with_links_completed
 
@@ -52,7 +53,10 @@ def test_broken_either_side_may_be_the_silent_one():
 def test_broken_a_new_lane_that_its_neighbours_in_series_do_not_name():
     #  200 ── 9, and only 9 says so; 9 ── 10, and only 9 says so
     base = street()
-    new = [straight(9, 80, 90, predecessors=(200,), successors=(10,)), straight(10, 90, 99, **TURN)]
+    new = [
+        straight(9, 80, 90, predecessors=(200,), successors=(10,), lane_type=LaneType.BUS),
+        straight(10, 90, 99, **TURN),
+    ]
     edited = base.replaced(new)
     assert introduced(base, edited) == [(CODE, (9, 10)), (CODE, (9, 200))]
     after = apply_edits(edited, check(base, edited)[0].fixes[0].edits)

@@ -73,9 +73,10 @@ def test_edge_a_ring_replaced_by_a_ring():
 
 
 def test_broken_a_part_of_what_was_drawn_stands_in_the_old_place():
-    #  1 ──   =>   9 ── 10: 9 where 1 was, 10 beyond it
+    #  1 ──   =>   9 ── 10: 9 where 1 was, 10 beyond it, inside an intersection
     base = world(straight(1, 0, 60))
-    edited = world(straight(9, 0, 60, successors=(10,)), straight(10, 60, 90, predecessors=(9,)))
+    beyond = straight(10, 60, 90, predecessors=(9,), is_intersection=True)
+    edited = world(straight(9, 0, 60, successors=(10,)), beyond)
     assert only(base, edited, CODE).elements == (1, 9)
     assert set(mended(base, edited, CODE).lanes) == {1, 10}
 

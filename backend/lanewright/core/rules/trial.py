@@ -96,7 +96,7 @@ class FixTrial:
         """A remedy together with those of what it lays bare, as far as each leaves less to do than before."""
         while (added := self._added(left)) and not self._exhausted:
             comparison = self._after(remedy)
-            for further in self._rules[added[0].code].remedies(comparison, added[0]):
+            for further in (one for bare in added for one in self._rules[bare.code].remedies(comparison, bare)):
                 if further.claims is not None:
                     continue  # what somebody says of it is not changed along with their map
                 if self._exhausted:

@@ -1,0 +1,65 @@
+"""Where lanes beside a lane end: lanes side by side begin and end together, since neighbours share whole lines."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from lanewright.core.comparison import Comparison
+from lanewright.core.elements import LaneSegment, Line, MapState
+from lanewright.core.geometry import MOVED_M
+from lanewright.core.roadgraph import FINISH, START
+from lanewright.core.series import NEAR_M, Run, Station, along, at_vertex
+from lanewright.core.survey import Survey
+
+Corner = tuple[float, float]
+_Corners = dict[Corner, list[tuple[int, Corner]]]
+"""Where boundaries end -> the lanes that they are of, and the point of the boundary next to the end."""
+
+
+class LanesBeside:
+    """The ends of all lanes of the edited map, by their corners."""
+
+    def __init__(self, comparison: Comparison):
+        lanes = comparison.edited.lanes
+        self._known = Survey(comparison.base).fact(_corners)
+        self._touched = comparison.touched_lanes | comparison.deleted_lanes
+        self._more = _corners(lanes[lane] for lane in comparison.touched_lanes)
+
+    def end_at(self, corner: Corner, line: Line, others_than: Collection[int]) -> bool:
+        """Whether another lane ends at that point of a line, and has its boundary on the line up to there."""
+        ending = [one for one in self._known.get(corner, ()) if one[0] not in self._touched]
+        return any(
+            lane not in others_than and along(line, (*before, 0.0))[1] <= MOVED_M
+            for lane, before in (*ending, *self._more.get(corner, ()))
+        )
+
+    def joints_of(self, lane: LaneSegment) -> list[Station]:
+        """Where a lane is to be cut, since lanes beside it end there, in driving order."""
+        run = Run.of([lane])
+        found: list[Station] = []
+        for station in sorted(self._stations(run)):
+            before = found[-1] if found else (0.0, 0.0)
+            if all(low < here < end for low, here, end in zip(before, station, run.ends, strict=True)):
+                found.append(station)
+        return found
+
+    def _stations(self, run: Run) -> Iterator[Station]:
+        whole = run.whole
+        for line, opposite, flip in (
+            (whole.left_boundary, whole.right_boundary, False),
+            (whole.right_boundary, whole.left_boundary, True),
+        ):
+            for point in line[1:-1]:
+                if self.end_at(point[:2], line, [whole.id]):
+                    here, across = along(line, point)[0], at_vertex(opposite, along(opposite, point)[0], NEAR_M)
+                    yield (across, here) if flip else (here, across)
+
+
+def _corners(lanes: MapState | Iterator[LaneSegment]) -> _Corners:
+    found: _Corners = {}
+    for lane in lanes.lanes.values() if isinstance(lanes, MapState) else lanes:
+        for line in (lane.left_boundary, lane.right_boundary):
+            if len(line) > 1:
+                for end, before in ((line[START], line[1]), (line[-FINISH], line[-2])):
+                    found.setdefault(end[:2], []).append((lane.id, before[:2]))
+    return found
