@@ -145,18 +145,35 @@ def cut(random: Random, state: MapState) -> MapState:
 
 def join(random: Random, state: MapState) -> MapState:
     """Two lanes in series between which nothing differs drawn as one."""
-    graph = RoadGraph.of(state)
-    pairs = [
-        (one, other)
-        for one in sorted(state.lanes)
-        if (other := graph.next_in_series(one, state.lanes)) not in (None, one)
-        and joinable(state.lanes[one], state.lanes[other])
-    ]
+    pairs = _joinable_pairs(state)
     if not pairs:
         return state
     pair = random.choice(pairs)
     whole = Run.of([state.lanes[key] for key in pair]).pieces([])[0]
     return with_lanes_exchanged(state, pair, [dataclasses.replace(whole, id=fresh_id([state]) + 9000)])
+
+
+def shift_joint(random: Random, state: MapState) -> MapState:
+    """The joint of two lanes in series between which nothing differs drawn further along the road."""
+    pairs = _joinable_pairs(state)
+    if not pairs:
+        return state
+    pair = random.choice(pairs)
+    run, share = Run.of([state.lanes[key] for key in pair]), random.uniform(0.2, 0.8)
+    pieces = run.pieces([(run.ends[0] * share, run.ends[1] * share)])
+    named = [dataclasses.replace(piece, id=key) for piece, key in zip(pieces, pair, strict=True)]
+    return with_lanes_exchanged(state, pair, named)
+
+
+def _joinable_pairs(state: MapState) -> list[tuple[int, int]]:
+    graph = RoadGraph.of(state)
+    return [
+        (one, other)
+        for one in sorted(state.lanes)
+        if (other := graph.next_in_series(one, state.lanes)) is not None
+        and other != one
+        and joinable(state.lanes[one], state.lanes[other])
+    ]
 
 
 def reorder(random: Random, state: MapState) -> MapState:
@@ -188,7 +205,17 @@ def write_on_one_side(random: Random, state: MapState) -> MapState:
     return state.replaced([dataclasses.replace(state.lanes[silent], **{name: links})])
 
 
-REWRITES: tuple[Rewrite, ...] = (rename, exchange, exchange_sides, shuffle, cut, join, reorder, write_on_one_side)
+REWRITES: tuple[Rewrite, ...] = (
+    rename,
+    exchange,
+    exchange_sides,
+    shuffle,
+    cut,
+    join,
+    shift_joint,
+    reorder,
+    write_on_one_side,
+)
 
 
 def several(random: Random, state: MapState, among: tuple[Rewrite, ...], count: int) -> MapState:

@@ -9,7 +9,7 @@ from random import Random
 
 from tests.core.rewriting import EDITS, Rewrite, any_lane
 
-from lanewright.core.elements import LaneSegment, Line, MapState, PedestrianCrossing, Point
+from lanewright.core.elements import LaneSegment, LaneType, Line, MapState, PedestrianCrossing, Point
 from lanewright.core.identity import fresh_id, without_link
 from lanewright.core.roadgraph import Link, RoadGraph
 
@@ -102,6 +102,67 @@ def fill_gap(random: Random, state: MapState) -> MapState:
     )
 
 
+def drive_on(random: Random, state: MapState) -> MapState:
+    """A lane in the direction of one that leads nowhere, like it or of another type."""
+    graph = RoadGraph.of(state)
+    loose = [key for key in sorted(state.lanes) if not graph.successors[key]]
+    if not loose:
+        return state
+    one, by = state.lanes[random.choice(loose)], random.choice((2.0, 8.0, 25.0))
+    ahead = []
+    for line in (one.left_boundary, one.right_boundary):
+        dx, dy = _step(*line[-2:])
+        length = math.hypot(dx, dy)
+        ahead.append((line[-1], _shifted(line[-1], (dx / length * by, dy / length * by))))
+    new = dataclasses.replace(
+        one,
+        id=fresh_id([state]),
+        lane_type=random.choice((one.lane_type, one.lane_type, LaneType.BUS)),
+        left_boundary=ahead[0],
+        right_boundary=ahead[1],
+        successors=(),
+        predecessors=(one.id,),
+        left_neighbor_id=None,
+        right_neighbor_id=None,
+        part_of=None,
+    )
+    return state.replaced([new, dataclasses.replace(one, successors=(*one.successors, new.id))])
+
+
+def insert_row(random: Random, state: MapState) -> MapState:
+    """Lanes on the right of several in series that have no neighbour there, one beside each."""
+    graph = RoadGraph.of(state)
+    free = {lane.id for lane in state.lanes.values() if lane.right_neighbor_id is None}
+    if not free:
+        return state
+    chain = graph.chain_through(random.choice(sorted(free)), free)
+    beside = [state.lanes[key] for key in chain[: random.randint(1, 4)]]
+    first = fresh_id([state])
+    across = [_step(beside[0].left_boundary[0], beside[0].right_boundary[0])]
+    across += [_step(lane.left_boundary[-1], lane.right_boundary[-1]) for lane in beside]
+    new = [
+        dataclasses.replace(
+            lane,
+            id=first + index,
+            left_boundary=lane.right_boundary,
+            left_mark=lane.right_mark.mirrored,
+            right_boundary=(
+                _shifted(lane.right_boundary[0], across[index]),
+                _shifted(lane.right_boundary[-1], across[index + 1]),
+            ),
+            right_mark=beside[0].right_mark,
+            successors=(first + index + 1,) if index + 1 < len(beside) else (),
+            predecessors=(first + index - 1,) if index else (),
+            left_neighbor_id=lane.id,
+            right_neighbor_id=None,
+            part_of=None,
+        )
+        for index, lane in enumerate(beside)
+    ]
+    named = [dataclasses.replace(lane, right_neighbor_id=one.id) for lane, one in zip(beside, new, strict=True)]
+    return state.replaced([*new, *named])
+
+
 def _lies_ahead(one: LaneSegment, other: LaneSegment) -> bool:
     """Whether straight lines from one lane's finish to another's start go on, both of them, in its direction."""
     return all(
@@ -178,6 +239,8 @@ ALL_EDITS: tuple[Rewrite, ...] = (
     stretch,
     toggle_intersection,
     fill_gap,
+    drive_on,
+    insert_row,
     link,
     unlink,
     insert_crossing,
