@@ -18,7 +18,7 @@ from lanewright.core.changes import Category
 from lanewright.core.comparison import Comparison
 from lanewright.core.diff import atomic_changes
 from lanewright.core.elements import ElementKey, ElementKind, MapState
-from lanewright.core.identity import fresh_ids, renamed
+from lanewright.core.identity import fresh_ids, joinable, renamed
 from lanewright.core.macros import update_groups
 from lanewright.core.matching import lanes_by_place, place_of
 from lanewright.core.objections import objected
@@ -78,6 +78,26 @@ def stands(comparison: Comparison, update: Collection[ElementKey]) -> bool:
         return True
     longer = _length(Comparison(comparison.uncut_base, form.edited)) > _length(comparison)
     return longer and objected(comparison).isdisjoint(together)
+
+
+def lengthening_updates(comparison: Comparison) -> list[tuple[ElementKey, ...]]:
+    """The updates in which a lane came that only makes another one longer: legal as drawn, and no note is told of it
+    (any lane of a map may be put back as it was), but the save joins them, since drawn as one it is the same road."""
+    return [
+        update
+        for update in update_groups(comparison)
+        if any(key.id in comparison.inserted_lanes and _runs_on(comparison, key) for key in update)
+        and not stands(comparison, update)
+    ]
+
+
+def _runs_on(comparison: Comparison, key: ElementKey) -> bool:
+    """Whether nothing differs between a lane and the one before or after it in series."""
+    if key.kind is not ElementKind.LANE_SEGMENT:
+        return False
+    graph, lanes = comparison.edited_graph, comparison.edited.lanes
+    beside = (graph.previous_in_series(key.id, lanes), graph.next_in_series(key.id, lanes))
+    return any(other is not None and joinable(lanes[key.id], lanes[other]) for other in beside)
 
 
 def _length(comparison: Comparison) -> tuple[int, int]:

@@ -9,7 +9,7 @@ from typing import Any
 
 from sqlalchemy.orm import Session
 
-from lanewright.core.canonical import Canonical, canonical_map, canonical_updates
+from lanewright.core.canonical import Canonical, canonical_map, canonical_updates, lengthening_updates
 from lanewright.core.claims import DeclaredMacros
 from lanewright.core.comparison import Comparison
 from lanewright.core.edits import Edit, edits_between
@@ -79,17 +79,19 @@ def proposal(
 
 
 def settled(session: Session, task: Task, account_id: int, evaluation: Evaluation) -> tuple[Evaluation, Retold]:
-    """The evaluation of what a save stores: updates that a note calls not canonical, in their canonical form.
+    """The evaluation of what a save stores: updates that a note calls not canonical, and those in which a lane only
+    makes another one longer, in their canonical form.
 
     Raises:
         Conflict: ``save.violations``, with the notes, whose fixes lead to it, when that form breaks a rule (a
             declaration of macros that only fits the ids as drawn).
     """
     notes = [one for one in evaluation.findings.violations if one.code == identity_not_canonical.CODE]
-    if not notes:
-        return evaluation, AS_DRAWN
     comparison = evaluation.findings.comparison
-    form = canonical_updates(comparison, _updates_of(comparison, notes))
+    updates = dict.fromkeys((*_updates_of(comparison, notes), *lengthening_updates(comparison)))
+    if not updates:
+        return evaluation, AS_DRAWN
+    form = canonical_updates(comparison, updates)
     state, renames = _with_legal_ids(session, task, account_id, evaluation, form, _completed(comparison, form))
     state = restore(evaluation.base.state, state)
     declared = declarations.renamed(evaluation.declared, renames)

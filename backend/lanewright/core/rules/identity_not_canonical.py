@@ -9,7 +9,6 @@ from lanewright.core.comparison import Comparison, same_crossing
 from lanewright.core.crossing_areas import CrossingAreas
 from lanewright.core.elements import ElementKey, ElementKind
 from lanewright.core.geometry import lines_of
-from lanewright.core.identity import joinable
 from lanewright.core.macros import update_groups
 from lanewright.core.rules.remedy import identity_remedies
 from lanewright.core.rules.rule import Rule
@@ -35,23 +34,13 @@ def _ambiguous(comparison: Comparison, group: Collection[ElementKey]) -> bool:
 
 
 def _ambiguous_lanes(comparison: Comparison, lanes: Collection[ElementKey]) -> bool:
-    """Whether two lanes came, went or moved (all of them going is one story), have the very same lines, or one that came
-    only makes another longer."""
+    """Whether two lanes came, went or moved (all of them going is one story), or have the very same lines."""
     came_or_moved = sum(key not in comparison.base or _moved(comparison, key) for key in lanes)
     went = sum(key not in comparison.edited for key in lanes)
     if came_or_moved and came_or_moved + went > 1:
         return True
-    if any(key not in comparison.base and _runs_on(comparison, key.id) for key in lanes):
-        return True
     lines = [lines_of(lane) for lane in map(comparison.edited.get, lanes) if lane is not None]
     return len(set(lines)) < len(lines)
-
-
-def _runs_on(comparison: Comparison, lane: int) -> bool:
-    """Whether nothing differs between a lane and the one before or after it in series."""
-    graph, lanes = comparison.edited_graph, comparison.edited.lanes
-    beside = (graph.previous_in_series(lane, lanes), graph.next_in_series(lane, lanes))
-    return any(other is not None and joinable(lanes[lane], lanes[other]) for other in beside)
 
 
 def _ambiguous_crossings(comparison: Comparison, crossings: Collection[ElementKey]) -> bool:
