@@ -98,6 +98,19 @@ def test_a_save_says_that_it_joined_what_was_drawn_in_two(desk_on: DeskOn, sessi
     assert (answer["canonical"], answer["cut"]) == ([], [])
 
 
+def test_a_save_joins_what_only_makes_a_lane_longer(desk_on: DeskOn, session: Session) -> None:
+    #  ── 1 ── 9 ──  where nothing joined 1: drawn in one piece it would be lane 1, longer
+    desk = desk_on(BASE)
+    longer = (straight(1, 0, 60, successors=(9,)), straight(9, 60, 90, predecessors=(1,)))
+    edits = as_sent(desk, BASE, world(*longer, BASE.lanes[2]))
+    (mine,) = (edit["id"] for edit in edits if edit["operation"] == "insert")
+    assert desk.check(*edits).json()["violations"] == []
+    answer = desk.saved(*edits)
+    assert (answer["canonical"], answer["joined"], answer["cut"]) == ([], [mine], [])
+    assert {change["id"]: change["categories"] for change in answer["findings"]["changes"]} == {1: ["geometry"]}
+    assert sorted(stored(session, desk, 1).lanes) == [1, 2]
+
+
 def test_the_canonical_form_is_proposed_as_edits_of_the_draft(desk_on: DeskOn, session: Session) -> None:
     desk = desk_on(BASE)
     edits = as_sent(desk, BASE, MOVED_UP)

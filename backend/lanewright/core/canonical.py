@@ -155,7 +155,8 @@ def _named(assignment: Assignment, original: MapState, fresh: Iterator[int]) -> 
 
 
 def _drawn_lanes(assignment: Assignment, original: MapState) -> dict[int, int]:
-    """Token -> the lane that was drawn: the one on the same lines, else the one it came from."""
+    """Token -> the lane that was drawn: the one on the same lines, else the one with the id that it gets, else the one
+    that it came from."""
     drawn = lanes_by_place({lane: original.lanes[lane] for lane in sorted(assignment.drawn)})
     came_from = {token: own for token, own in assignment.own_lane_ids.items() if token in assignment.edited.lanes}
     found: dict[int, int] = {}
@@ -164,8 +165,14 @@ def _drawn_lanes(assignment: Assignment, original: MapState) -> dict[int, int]:
         if here:
             found[token] = came_from[token] if came_from.get(token) in here else here[0]
             here.remove(found[token])
-    known = set(found.values())
-    return {token: own for token, own in came_from.items() if own not in known} | found
+    for candidates in (assignment.lanes, came_from):
+        known = set(found.values())
+        found |= {
+            token: own
+            for token, own in candidates.items()
+            if token not in found and own not in known and own in original.lanes
+        }
+    return found
 
 
 def _newly_cut(assignment: Assignment, original: MapState) -> Iterator[int]:

@@ -1,0 +1,160 @@
+"""However a road is cut into lanes, its story is the same (spec §2: a cut in series is no change; §6.3)."""
+
+from __future__ import annotations
+
+import pytest
+from tests.core.worlds import lane, straight, street, world
+
+from lanewright.core.canonical import canonical_updates, canonicalise, lengthening_updates
+from lanewright.core.comparison import Comparison
+from lanewright.core.diff import diff
+from lanewright.core.edits import apply_edits
+from lanewright.core.elements import LaneType, Mark
+from lanewright.core.restore import restore
+from lanewright.core.rules import check
+
+#  1 (0..20) ── 2 (20..40) ── 3 (40..60)
+ROW = world(
+    straight(1, 0, 20, successors=(2,)),
+    straight(2, 20, 40, predecessors=(1,), successors=(3,)),
+    straight(3, 40, 60, predecessors=(2,)),
+)
+
+
+def story(base, edited):
+    """What changed, new elements by how many."""
+    changes = diff(base, canonicalise(base, edited)).changes
+    return sorted(((one.id if one.key in base else "new", *one.categories) for one in changes), key=str)
+
+
+def test_a_joint_further_along_the_road_is_no_change():
+    shifted = world(
+        straight(1, 0, 27, successors=(2,)),
+        straight(2, 27, 33, predecessors=(1,), successors=(3,)),
+        straight(3, 33, 60, predecessors=(2,)),
+    )
+    assert story(ROW, shifted) == []
+    assert restore(ROW, canonicalise(ROW, shifted)) == ROW
+
+
+def test_a_lane_beyond_a_lost_link_is_known_again_however_it_is_drawn():
+    #  1    2 ── 3 (shorter), as two lanes and as one
+    two = world(straight(1, 0, 20), straight(2, 20, 40, successors=(3,)), straight(3, 40, 52, predecessors=(2,)))
+    one = world(straight(1, 0, 20), straight(9, 20, 52))
+    assert story(ROW, two) == story(ROW, one) == [("new", "insertion"), (2, "deletion"), (3, "geometry")]
+
+
+@pytest.mark.parametrize("joint", [30, 40, 50])
+def test_a_widened_row_is_cut_across_from_the_old_joints(joint):
+    wider = world(
+        straight(1, 0, 20, successors=(8,)),
+        straight(8, 20, joint, top=5, predecessors=(1,), successors=(9,)),
+        straight(9, joint, 60, top=5, predecessors=(8,)),
+    )
+    assert story(ROW, wider) == [(2, "geometry"), (3, "geometry")]
+
+
+def test_a_joint_that_was_drawn_stays_where_the_story_is_the_same():
+    drawn = world(
+        straight(1, 0, 20, successors=(2,)),
+        straight(2, 20, 46, 2, 5.5, predecessors=(1,), successors=(3,)),
+        straight(3, 46, 60, 2, 5.5, predecessors=(2,)),
+    )
+    assert canonicalise(ROW, drawn) is drawn
+
+
+def test_paint_that_begins_further_on_moves_the_joint():
+    #  1 white ── 2 bare, the paint ends at 20; then at 29
+    white = {"left_mark": Mark.SOLID_WHITE}
+    base = world(straight(1, 0, 20, successors=(2,), **white), straight(2, 20, 40, predecessors=(1,)))
+    in_two = world(straight(1, 0, 29, successors=(2,), **white), straight(2, 29, 40, predecessors=(1,)))
+    in_three = world(
+        straight(1, 0, 20, successors=(9,), **white),
+        straight(9, 20, 29, predecessors=(1,), successors=(2,), **white),
+        straight(2, 29, 40, predecessors=(9,)),
+    )
+    assert story(base, in_two) == story(base, in_three) == [(1, "geometry"), (2, "geometry")]
+
+
+@pytest.mark.parametrize("length", [2, 30])
+def test_a_road_driven_on_is_a_longer_lane_in_one_piece_or_two(length):
+    whole = ROW.replaced([straight(3, 40, 60 + length, predecessors=(2,))])
+    in_two = ROW.replaced(
+        [
+            straight(3, 40, 60, predecessors=(2,), successors=(9,)),
+            straight(9, 60, 60 + length, predecessors=(3,)),
+        ]
+    )
+    assert story(ROW, whole) == story(ROW, in_two) == [(3, "geometry")]
+    comparison = Comparison(ROW, in_two)
+    assert check(ROW, in_two) == (), "a lane may be put back as it was"
+    saved = canonical_updates(comparison, lengthening_updates(comparison))
+    assert diff(whole, saved.edited).changes == ()
+    assert (saved.edited.lanes.keys(), saved.renamed, saved.joined) == (whole.lanes.keys(), {}, (9,))
+
+
+def test_a_lane_of_another_kind_driven_on_is_an_insertion():
+    bus = straight(9, 60, 90, predecessors=(3,), lane_type=LaneType.BUS)
+    drawn = ROW.replaced([straight(3, 40, 60, predecessors=(2,), successors=(9,)), bus])
+    assert canonicalise(ROW, drawn) is drawn
+    assert lengthening_updates(Comparison(ROW, drawn)) == []
+
+
+def test_a_lane_that_fills_a_gap_is_an_insertion():
+    base = world(straight(1, 0, 20), straight(3, 40, 60))
+    filled = world(
+        straight(1, 0, 20, successors=(2,)),
+        straight(2, 20, 40, predecessors=(1,), successors=(3,)),
+        straight(3, 40, 60, predecessors=(2,)),
+    )
+    in_one = world(straight(9, 0, 60))
+    assert story(base, filled) == story(base, in_one) == [("new", "insertion")]
+
+
+def test_new_lanes_are_cut_where_the_lanes_beside_them_end():
+    #  1 ── 2 ── 3 and on their right 7 ── 8 ── 9, drawn as three lanes or as one
+    beside = {1: 7, 2: 8, 3: 9}
+    old = [
+        straight(key, one.left_boundary[0][0], one.left_boundary[-1][0], successors=one.successors,
+                 predecessors=one.predecessors, right_neighbor_id=beside[key])
+        for key, one in ROW.lanes.items()
+    ]  # fmt: skip
+    three = world(
+        *old,
+        straight(7, 0, 20, -3.5, 0, successors=(8,), left_neighbor_id=1),
+        straight(8, 20, 40, -3.5, 0, predecessors=(7,), successors=(9,), left_neighbor_id=2),
+        straight(9, 40, 60, -3.5, 0, predecessors=(8,), left_neighbor_id=3),
+    )
+    one = world(*ROW, lane(7, "0,0 20,0 40,0 60,0", "0,-3.5 60,-3.5"))
+    assert canonicalise(ROW, three) is three
+    canonical = canonicalise(ROW, one)
+    assert [len(canonical.lanes), *story(ROW, one)] == [6, *story(ROW, three)]
+    assert {key: canonical.lanes[key].right_neighbor_id for key in ROW.lanes}.keys() == beside.keys()
+    assert all(canonical.lanes[key].right_neighbor_id in canonical.lanes for key in ROW.lanes)
+
+
+def test_a_lane_between_two_updates_is_one_question():
+    #  3 ── 4 ── 5   =>   3   4        5 went, and 3, hardly bent, leads to 4 no more
+    base = world(straight(3, 0, 20, successors=(4,)), straight(4, 20, 40, successors=(5,)), straight(5, 40, 60))
+    bent = lane(3, "0,3.5 10,3.498 20,3.5", "0,0 20,0")
+    edited = world(bent, straight(4, 20, 40))
+    (violation,) = check(base, edited)
+    assert violation.code == "identity.rerouted"
+    assert check(base, canonicalise(base, edited)) == ()
+
+
+def test_a_fix_keeps_what_else_was_edited():
+    #  100 ── 1 ── 200: 100 drawn anew, 200 for buses now
+    base = street()
+    edited = base.replaced(
+        [
+            straight(9, 0, 20, successors=(1,)),
+            straight(1, 20, 60, predecessors=(9,), successors=(200,)),
+            straight(200, 60, 80, lane_type=LaneType.BUS, predecessors=(1,)),
+        ],
+        [base.lanes[100].key],
+    )
+    (violation,) = check(base, edited)
+    mended = apply_edits(edited, violation.fixes[0].edits)
+    assert violation.code == "replacement.unjustified"
+    assert [(one.id, *one.categories) for one in diff(base, mended).changes] == [(200, "type")]
