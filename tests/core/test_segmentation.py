@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from tests.core.worlds import lane, straight, street, world
 
-from lanewright.core.canonical import canonical_updates, canonicalise, lengthening_updates
+from lanewright.core.canonical import canonical_form, canonical_updates, canonicalise, lengthening_updates
 from lanewright.core.comparison import Comparison
 from lanewright.core.diff import diff
 from lanewright.core.edits import apply_edits
@@ -128,6 +128,7 @@ def test_new_lanes_are_cut_where_the_lanes_beside_them_end():
     one = world(*ROW, lane(7, "0,0 20,0 40,0 60,0", "0,-3.5 60,-3.5"))
     assert canonicalise(ROW, three) is three
     canonical = canonicalise(ROW, one)
+    assert canonical_form(ROW, one).cut == (7,), "and that is said"
     assert [len(canonical.lanes), *story(ROW, one)] == [6, *story(ROW, three)]
     assert {key: canonical.lanes[key].right_neighbor_id for key in ROW.lanes}.keys() == beside.keys()
     assert all(canonical.lanes[key].right_neighbor_id in canonical.lanes for key in ROW.lanes)

@@ -37,6 +37,7 @@ from lanewright.db.repositories.logs import insert_asset
 from lanewright.services import sessions, tasks
 from lanewright.settings import Settings
 
+LARGEST_NUMBER = 2**63 - 1
 EXAMPLES = int(os.environ.get("LANEWRIGHT_FUZZ_EXAMPLES", "12"))
 CHECKS = [
     not_a_server_error,
@@ -64,7 +65,8 @@ def map_path_parameters(context: Any, path_parameters: dict[str, Any] | None) ->
     known = {"task_id": 1, "account_id": 2, "token_id": 1, "revision": 1, "log_id": "log-one", "split": "train"}
     for name, value in known.items():
         guessed = (path_parameters or {}).get(name)
-        if path_parameters and type(guessed) is type(value) and crc32(str(guessed).encode("utf-8", "replace")) % 2:
+        good = type(guessed) is type(value) and (not isinstance(guessed, int) or 1 <= guessed <= LARGEST_NUMBER)
+        if path_parameters and good and crc32(str(guessed).encode("utf-8", "replace")) % 2:
             path_parameters[name] = value
     return path_parameters
 

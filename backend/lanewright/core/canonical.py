@@ -17,12 +17,14 @@ from lanewright.core.assignment import Assignment, other_than_itself
 from lanewright.core.changes import Category
 from lanewright.core.comparison import Comparison
 from lanewright.core.diff import atomic_changes
-from lanewright.core.elements import ElementKey, ElementKind, MapState
+from lanewright.core.elements import ElementKey, ElementKind, LaneSegment, MapState
+from lanewright.core.geometry import lines_of, readable_element
 from lanewright.core.identity import fresh_ids, joinable, renamed
 from lanewright.core.macros import update_groups
 from lanewright.core.matching import lanes_by_place, place_of
 from lanewright.core.objections import objected
 from lanewright.core.scope import widened, worked_out_together
+from lanewright.core.series import SAME_POINT_M, along
 from lanewright.core.settlement import settle
 
 _WHOLE = frozenset({Category.INSERTION, Category.DELETION})
@@ -36,7 +38,7 @@ class Canonical:
         edited: the map, ids and cuts aside the same as before.
         renamed: lanes and crossings whose id changed, old to new.
         joined: lanes that became part of the lane before or after them in series.
-        cut: base lanes that are cut, since a property changes half-way.
+        cut: base lanes that are cut, since a property changes half-way, and lanes drawn in one piece that are several.
     """
 
     edited: MapState
@@ -150,7 +152,7 @@ def _named(assignment: Assignment, original: MapState, fresh: Iterator[int]) -> 
         _with_known_objects(final, original),
         dict(_renames(assignment, lanes, crossings)),
         tuple(sorted(assignment.drawn.difference(map(assignment.own_lane_ids.get, lanes), lanes.values()))),
-        tuple(sorted(set(_newly_cut(assignment, original)))),
+        tuple(sorted({*_newly_cut(assignment, original), *_cut_as_drawn(assignment, original, final)})),
     )
 
 
@@ -181,6 +183,25 @@ def _newly_cut(assignment: Assignment, original: MapState) -> Iterator[int]:
         known = original.lanes.get(assignment.own_lane_ids.get(token, token))
         if known is None or known.part_of != whole:
             yield whole
+
+
+def _cut_as_drawn(assignment: Assignment, original: MapState, final: MapState) -> Iterator[int]:
+    """Lanes that were drawn in one piece of which the canonical form makes several."""
+    drawn = [original.lanes[lane] for lane in sorted(assignment.drawn) if readable_element(original.lanes[lane])]
+    places = {place_of(lane) for lane in drawn}
+    for key in sorted(final.lanes.keys() - original.lanes.keys()):
+        piece = final.lanes[key]
+        if piece.part_of is None and readable_element(piece) and place_of(piece) not in places:
+            yield from (lane.id for lane in drawn if _lies_on(piece, lane))
+
+
+def _lies_on(piece: LaneSegment, lane: LaneSegment) -> bool:
+    """Whether the corners of a piece are on the lines of a lane."""
+    return all(
+        along(line, corner)[1] <= SAME_POINT_M
+        for part, line in zip(lines_of(piece), lines_of(lane), strict=True)
+        for corner in (part[0], part[-1])
+    )
 
 
 def _final_ids(

@@ -30,12 +30,13 @@ from lanewright.core.roadgraph import FINISH, START, Chain, Endpoint
 from lanewright.core.series import Run
 
 _MOST_STEPS = 400
-"""A settled map takes a few steps per update; the bound only guards against maps made to have no end."""
+"""A settled map takes a few steps, and seldom one more for a lane; the bound only guards against maps made to have no
+end."""
 
 
 def settle(assignment: Assignment) -> None:
     """Match, part and exchange until no step applies."""
-    for _ in range(_MOST_STEPS):
+    for _ in range(_MOST_STEPS + len(assignment.drawn)):
         comparison = assignment.comparison()
         if not any(step(assignment, comparison) for step in _STEPS):
             return
@@ -68,13 +69,14 @@ def _part_rerouted(assignment: Assignment, comparison: Comparison) -> bool:
 
 def _uncross(assignment: Assignment, comparison: Comparison) -> bool:
     """Lanes side by side whose order was reversed exchange what they stand for."""
-    for one, other in exchanged_lanes(comparison):
-        if not assignment.is_free([one, other]) or one in assignment.parts or other in assignment.parts:
-            continue
-        tokens = assignment.tokens
-        assignment.lanes[tokens[one]], assignment.lanes[tokens[other]] = other, one
-        return True
-    return False
+    tokens = assignment.tokens
+    seen = set(assignment.parts)
+    for pair in exchanged_lanes(comparison):
+        if assignment.is_free(pair) and seen.isdisjoint(pair):
+            seen.update(pair)
+            one, other = pair
+            assignment.lanes[tokens[one]], assignment.lanes[tokens[other]] = other, one
+    return len(seen) > len(assignment.parts)
 
 
 def _match_places(assignment: Assignment, comparison: Comparison) -> bool:
@@ -145,17 +147,18 @@ def _part_anchors(assignment: Assignment, comparison: Comparison) -> bool:
 
 
 def _match_crossings(assignment: Assignment, comparison: Comparison) -> bool:
-    """The pair of a deleted and an inserted crossing that overlap most become one."""
+    """A deleted and an inserted crossing that overlap become one, those that overlap most first."""
     pairs = [
         pair
         for pair in unjustified_crossings(comparison)
         if pair[::-1] not in assignment.banned and all(map(assignment.is_free_crossing, pair))
     ]
-    if not pairs:
-        return False
-    was, now = min(pairs, key=lambda pair: (-_crossing_overlap(comparison, pair), pair))
-    assignment.crossings[now] = was
-    return True
+    matched: set[int] = set()
+    for was, now in sorted(pairs, key=lambda pair: (-_crossing_overlap(comparison, pair), pair)):
+        if matched.isdisjoint((was, now)):
+            matched.update((was, now))
+            assignment.crossings[now] = was
+    return bool(matched)
 
 
 def _crossing_overlap(comparison: Comparison, pair: tuple[int, int]) -> float:
@@ -188,6 +191,7 @@ def _keep_right(assignment: Assignment, comparison: Comparison) -> bool:
 def _join_inserted(assignment: Assignment, comparison: Comparison) -> bool:
     """Inserted lanes in series become one where nothing differs between them and no lane beside them ends there."""
     beside = LanesBeside(comparison)
+    joined = False
     for chain in comparison.edited_graph.chains(comparison.inserted_lanes):
         for one, other in pairwise(chain):
             pair = [comparison.edited.lanes[lane] for lane in (one, other)]
@@ -198,8 +202,9 @@ def _join_inserted(assignment: Assignment, comparison: Comparison) -> bool:
                 and not _ends_beside(beside, *pair)
             ):
                 assignment.join(one, other)
-                return True
-    return False
+                joined = True
+                break
+    return joined
 
 
 def _keep_to_loose_ends(assignment: Assignment, comparison: Comparison) -> bool:
@@ -246,14 +251,15 @@ def _ends_beside(beside: LanesBeside, one: LaneSegment, other: LaneSegment) -> b
 def _cut_beside(assignment: Assignment, comparison: Comparison) -> bool:
     """Inserted lanes are cut where lanes beside them end."""
     beside = LanesBeside(comparison)
+    cut = False
     for lane in sorted(comparison.inserted_lanes):
         whole = comparison.edited.lanes[lane]
         if assignment.is_free([lane]) and lane not in assignment.parts and readable_element(whole):
             joints = beside.joints_of(whole)
             if joints:
                 assignment.cut(lane, Run.of([whole]).pieces(joints), 0)
-                return True
-    return False
+                cut = True
+    return cut
 
 
 _STEPS = (

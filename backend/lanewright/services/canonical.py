@@ -39,7 +39,7 @@ class Retold:
 
     Attributes:
         joined: lanes that became part of the one before or after them in series.
-        cut: lanes of the base that are cut.
+        cut: lanes of the base and drawn ones that are cut.
     """
 
     renamed: Renames

@@ -47,7 +47,7 @@ class CanonicalOut(Outgoing):
     joined: list[int]
     """Lanes that become part of the lane before or after them."""
     cut: list[int]
-    """Lanes of the base that are cut, since a property changes half-way."""
+    """Lanes of the base that are cut, since a property changes half-way, and drawn lanes that are now several."""
 
 
 class SavedRevision(Outgoing):
@@ -65,7 +65,7 @@ class SavedRevision(Outgoing):
     joined: list[int]
     """Lanes of the draft that the canonical form made part of the lane before or after them in series."""
     cut: list[int]
-    """Lanes of the base that the canonical form cuts, since a property changes half-way."""
+    """Lanes that the canonical form cuts: of the base, since a property changes half-way, or drawn in one piece."""
     declarations: list[DeclarationOut]
     """All declarations of the task as stored: merged with those that others saved, ids as in ``canonical``."""
     findings: Findings
