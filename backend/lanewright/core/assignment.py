@@ -15,13 +15,15 @@ from typing import Any
 from lanewright.core.alignment import Alignment
 from lanewright.core.comparison import Comparison, crossing_key, lane_key
 from lanewright.core.cuts import marked_as_parts
-from lanewright.core.elements import ElementKey, LaneSegment, Line, MapState, PedestrianCrossing
+from lanewright.core.elements import ElementKey, ElementKind, LaneSegment, Line, MapState, PedestrianCrossing
 from lanewright.core.geometry import lines_of
 from lanewright.core.identity import renamed, with_lanes_exchanged
-from lanewright.core.matching import same_crossings, same_lanes
+from lanewright.core.matching import place_of, same_crossings, same_lanes
 from lanewright.core.segmentation import segmented
 from lanewright.core.series import Run
 from lanewright.core.survey import largest_id_named
+
+_LANE = ElementKind.LANE_SEGMENT
 
 
 class Assignment:
@@ -33,6 +35,7 @@ class Assignment:
         lanes, crossings: token -> base id, for what is matched.
         own_lane_ids, own_crossing_ids: token -> id in the edited map as it came; new pieces have none.
         drawn: the lanes of the edited map, as it came, that were looked at anew.
+        recut: whether any of them begins or ends elsewhere now.
         scope: the elements (of either map) to be looked at anew; None: all.
         parts: token -> base lane that is cut, for the parts of it.
         banned: pairs of token and base id that the rules forbid.
@@ -58,6 +61,7 @@ class Assignment:
         self.banned: set[tuple[int, int]] = set()
         self.parts: dict[int, int] = {}
         self.drawn = drawn
+        self.recut = False
         self.scope = scope
         self._first_token = first_token
         self._numbers = numbers
@@ -67,9 +71,9 @@ class Assignment:
         """Everything outside the scope matched by its id, what has the same lines matched by those."""
         numbers = count(1 + largest_id_named(base, edited))
         drawn, crossings = _inside(edited, scope)
-        settled = () if scope is None else [key for key in base.lanes if lane_key(key) not in scope]
+        settled = () if scope is None else base.lanes.keys() - {key for kind, key in scope if kind is _LANE}
         recut = segmented(base, _with_cuts_forgotten(base, edited, drawn), drawn, settled, lambda: next(numbers))
-        free = [lane for key, lane in recut.lanes.items() if key in drawn or key not in edited.lanes]
+        free = [recut.lanes[key] for key in drawn.union(recut.lanes.keys() - edited.lanes.keys()) if key in recut.lanes]
         own_lanes = {next(numbers): lane.id for lane in sorted(free, key=_position)}
         own_crossings = {next(numbers): crossing.id for crossing in sorted(crossings, key=_crossing_position)}
         lane_tokens = {own: token for token, own in own_lanes.items()}
@@ -86,6 +90,9 @@ class Assignment:
             scope,
             min((*own_lanes, *own_crossings), default=0),
             numbers,
+        )
+        assignment.recut = recut.lanes.keys() != edited.lanes.keys() or any(
+            place_of(recut.lanes[key]) != place_of(edited.lanes[key]) for key in drawn
         )
         assignment.lanes = {key: key for key in outside if key in base.lanes}
         assignment.crossings = {key: key for key in outside_crossings if key in base.crossings}
@@ -180,17 +187,21 @@ class Assignment:
             else:
                 self.lanes[token] = piece.base
         if not as_drawn:
-            self.edited = with_lanes_exchanged(self.edited, inserted, pieces)
+            self._exchange(inserted, pieces)
 
     def join(self, one: int, other: int) -> None:
         """Let two unmatched lanes in series be one, under the first one's token."""
         whole = Run.of([self.edited.lanes[one], self.edited.lanes[other]]).pieces([])[0]
-        self.edited = with_lanes_exchanged(self.edited, [one, other], [_under(whole, one)])
+        self._exchange([one, other], [_under(whole, one)])
 
     def cut(self, token: int, pieces: Sequence[LaneSegment], kept: int) -> None:
         """Let an unmatched lane be those pieces in series; the one at ``kept`` keeps its token."""
         named = [_under(piece, token if index == kept else next(self._numbers)) for index, piece in enumerate(pieces)]
-        self.edited = with_lanes_exchanged(self.edited, [token], named)
+        self._exchange([token], named)
+
+    def _exchange(self, old: Sequence[int], new: Sequence[LaneSegment]) -> None:
+        self.edited = with_lanes_exchanged(self.edited, old, new)
+        self.recut = True
 
 
 def other_than_itself(ids: dict[int, int]) -> dict[int, int]:

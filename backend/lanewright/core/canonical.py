@@ -147,9 +147,11 @@ def _named(assignment: Assignment, original: MapState, fresh: Iterator[int]) -> 
     lanes = _final_ids(assignment.edited.lanes, assignment.lanes, assignment.own_lane_ids, taken, fresh)
     crossings = _final_ids(assignment.edited.crossings, assignment.crossings, assignment.own_crossing_ids, taken, fresh)
     final = assignment.with_parts_named(renamed(assignment.edited, *map(other_than_itself, (lanes, crossings))), lanes)
-    final = as_drawn(assignment.base, original, _with_known_objects(final, original))
+    final = _with_known_objects(final, original)
+    if assignment.recut:
+        final = _with_known_objects(as_drawn(assignment.base, original, final), original)
     return Canonical(
-        _with_known_objects(final, original),
+        final,
         dict(_renames(assignment, lanes, crossings)),
         tuple(sorted(assignment.drawn.difference(map(assignment.own_lane_ids.get, lanes), lanes.values()))),
         tuple(sorted({*_newly_cut(assignment, original), *_cut_as_drawn(assignment, original, final)})),
@@ -159,10 +161,12 @@ def _named(assignment: Assignment, original: MapState, fresh: Iterator[int]) -> 
 def _drawn_lanes(assignment: Assignment, original: MapState) -> dict[int, int]:
     """Token -> the lane that was drawn: the one on the same lines, else the one with the id that it gets, else the one
     that it came from."""
-    drawn = lanes_by_place({lane: original.lanes[lane] for lane in sorted(assignment.drawn)})
     came_from = {token: own for token, own in assignment.own_lane_ids.items() if token in assignment.edited.lanes}
+    if not assignment.recut:
+        return came_from
+    drawn = lanes_by_place({lane: original.lanes[lane] for lane in sorted(assignment.drawn)})
     found: dict[int, int] = {}
-    for token in sorted(assignment.edited.lanes):
+    for token in sorted(assignment.edited.lanes.keys() - original.lanes.keys()):
         here = drawn.get(place_of(assignment.edited.lanes[token]), [])
         if here:
             found[token] = came_from[token] if came_from.get(token) in here else here[0]

@@ -70,7 +70,7 @@ SAID = {
         (*of("resegmented")[1::-1], NO_CLAIMS),
         "Lanes 9 and 10 were deleted and lane 1 drawn between the same junctions: the road graph did not change here, "
         "so edit lanes 9 and 10 in place.",
-        "Make it an edit of lane 9",
+        "Make canonical: lane 1 becomes lane 9 and lane 1 is cut",
     ),
     "a property that changes half-way": (
         of("marks_mid_lane"),
