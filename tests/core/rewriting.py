@@ -7,7 +7,7 @@ from collections.abc import Callable
 from random import Random
 
 from lanewright.core.elements import LaneSegment, LaneType, Line, MapState, Mark
-from lanewright.core.identity import fresh_id, joinable, renamed, unlinked, with_lanes_exchanged
+from lanewright.core.identity import fresh_id, one_road, renamed, unlinked, with_lanes_exchanged
 from lanewright.core.roadgraph import RoadGraph
 from lanewright.core.series import Run
 
@@ -145,7 +145,7 @@ def cut(random: Random, state: MapState) -> MapState:
 
 def join(random: Random, state: MapState) -> MapState:
     """Two lanes in series between which nothing differs drawn as one."""
-    pairs = _joinable_pairs(state)
+    pairs = _pairs_of_one_road(state)
     if not pairs:
         return state
     pair = random.choice(pairs)
@@ -155,7 +155,7 @@ def join(random: Random, state: MapState) -> MapState:
 
 def shift_joint(random: Random, state: MapState) -> MapState:
     """The joint of two lanes in series between which nothing differs drawn further along the road."""
-    pairs = _joinable_pairs(state)
+    pairs = _pairs_of_one_road(state)
     if not pairs:
         return state
     pair = random.choice(pairs)
@@ -165,14 +165,14 @@ def shift_joint(random: Random, state: MapState) -> MapState:
     return with_lanes_exchanged(state, pair, named)
 
 
-def _joinable_pairs(state: MapState) -> list[tuple[int, int]]:
+def _pairs_of_one_road(state: MapState) -> list[tuple[int, int]]:
     graph = RoadGraph.of(state)
     return [
         (one, other)
         for one in sorted(state.lanes)
         if (other := graph.next_in_series(one, state.lanes)) is not None
         and other != one
-        and joinable(state.lanes[one], state.lanes[other])
+        and one_road(state.lanes[one], state.lanes[other])
     ]
 
 

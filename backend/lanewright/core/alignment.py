@@ -13,7 +13,7 @@ import numpy as np
 
 from lanewright.core.elements import LaneSegment
 from lanewright.core.geometry import centreline, moved
-from lanewright.core.identity import joinable
+from lanewright.core.identity import joinable, one_road
 from lanewright.core.series import NEAR_M, Run, Station, along, apart_m
 
 
@@ -48,8 +48,9 @@ class Alignment:
         return sum(piece.is_part for piece in self.pieces)
 
 
-def align(base: Sequence[LaneSegment], edited: Sequence[LaneSegment]) -> Alignment:
-    """The best alignment: fewest cut lanes, then fewest changed categories, rather the edited run's own joints."""
+def align(base: Sequence[LaneSegment], edited: Sequence[LaneSegment]) -> Alignment | None:
+    """The best alignment: fewest cut lanes, then fewest changed categories, rather the edited run's own joints. None
+    where lanes are of no length, so that nothing can be cut."""
     was, now = Run.of(base), Run.of(edited)
     displacement = displacement_m(was.whole, now.whole)
     candidates: list[Alignment] = []
@@ -58,9 +59,10 @@ def align(base: Sequence[LaneSegment], edited: Sequence[LaneSegment]) -> Alignme
         candidates.append(Alignment(pieces, False, _categories(was, pieces), displacement))
     if len(base) > 1 or len(edited) > 1:
         for snap in (NEAR_M, 0.0):
-            pieces = _recut(was, now, snap)
-            candidates.append(Alignment(pieces, True, _categories(was, pieces), displacement))
-    return min(enumerate(candidates), key=lambda item: (item[1].parts, item[1].categories, item[0]))[1]
+            recut = _recut(was, now, snap)
+            if recut is not None:
+                candidates.append(Alignment(recut, True, _categories(was, recut), displacement))
+    return min(candidates, key=lambda one: (one.parts, one.categories), default=None)
 
 
 def displacement_m(one: LaneSegment, other: LaneSegment) -> float:
@@ -95,12 +97,12 @@ def _categories(was: Run, pieces: Sequence[Piece]) -> int:
     return total
 
 
-def _recut(was: Run, now: Run, snap_m: float) -> tuple[Piece, ...]:
-    """The edited run cut at the base's joints, and where its own properties change."""
+def _recut(was: Run, now: Run, snap_m: float) -> tuple[Piece, ...] | None:
+    """The edited run cut at the base's joints, and where its own properties change; None if it cannot be cut there."""
     fixed = [
         index
         for index, (one, other) in enumerate(zip(now.lanes, now.lanes[1:], strict=False))
-        if not joinable(one, other)
+        if not one_road(one, other)
     ]
     goals = [_goal(was, now, joint) for joint in was.joints]
     taken = _matched_joints(was, now, fixed, goals)
@@ -111,7 +113,11 @@ def _recut(was: Run, now: Run, snap_m: float) -> tuple[Piece, ...]:
         else:
             stations.append((_snapped(now, goal, snap_m), True))
     stations += [(now.joints[index], False) for index in fixed if index not in taken.values()]
-    return _pieces(was, now, _ordered(stations, now.ends))
+    ordered = _ordered(stations, now.ends)
+    kept = [station for station, _ in ordered]
+    if any(now.joints[index] not in kept for index in fixed):
+        return None
+    return _pieces(was, now, ordered)
 
 
 def _goal(was: Run, now: Run, joint: Station) -> Station:

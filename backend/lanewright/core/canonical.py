@@ -19,7 +19,7 @@ from lanewright.core.comparison import Comparison
 from lanewright.core.diff import atomic_changes
 from lanewright.core.elements import ElementKey, ElementKind, LaneSegment, MapState
 from lanewright.core.geometry import lines_of, readable_element
-from lanewright.core.identity import fresh_ids, joinable, renamed
+from lanewright.core.identity import fresh_ids, one_road, renamed
 from lanewright.core.macros import update_groups
 from lanewright.core.matching import lanes_by_place, place_of
 from lanewright.core.objections import objected
@@ -98,8 +98,11 @@ def _runs_on(comparison: Comparison, key: ElementKey) -> bool:
     if key.kind is not ElementKind.LANE_SEGMENT:
         return False
     graph, lanes = comparison.edited_graph, comparison.edited.lanes
-    beside = (graph.previous_in_series(key.id, lanes), graph.next_in_series(key.id, lanes))
-    return any(other is not None and joinable(lanes[key.id], lanes[other]) for other in beside)
+    before, after = graph.previous_in_series(key.id, lanes), graph.next_in_series(key.id, lanes)
+    joints = [
+        (one, other) for one, other in ((before, key.id), (key.id, after)) if one is not None and other is not None
+    ]
+    return any(one_road(lanes[one], lanes[other]) for one, other in joints)
 
 
 def _length(comparison: Comparison) -> tuple[int, int]:

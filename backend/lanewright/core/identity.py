@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from lanewright.core.attributes import LARGEST_ID
 from lanewright.core.elements import Element, ElementKey, ElementKind, LaneSegment, Line, MapState
+from lanewright.core.geometry import MOVED_M, lines_of
 from lanewright.core.survey import Survey, ids_named
 
 
@@ -91,6 +93,14 @@ def joinable(one: LaneSegment, other: LaneSegment) -> bool:
         and one.right_mark is other.right_mark
         and one.lane_type is other.lane_type
         and one.is_intersection == other.is_intersection
+    )
+
+
+def one_road(one: LaneSegment, other: LaneSegment) -> bool:
+    """Whether two lanes in series are one piece of road: nothing differs, and nothing gapes between them."""
+    return joinable(one, other) and all(
+        math.dist(before[-1][:2], after[0][:2]) <= MOVED_M
+        for before, after in zip(lines_of(one), lines_of(other), strict=True)
     )
 
 

@@ -14,7 +14,7 @@ from itertools import pairwise
 from lanewright.core.comparison import Comparison
 from lanewright.core.elements import MapState
 from lanewright.core.geometry import readable_element
-from lanewright.core.identity import joinable, with_lanes_exchanged
+from lanewright.core.identity import one_road, with_lanes_exchanged
 from lanewright.core.matching import Place, lanes_by_place, place_of
 from lanewright.core.roadgraph import Chain, RoadGraph
 from lanewright.core.stretch import Stretch
@@ -67,7 +67,7 @@ def _stretches(graph: RoadGraph, free: Collection[int]) -> Iterator[Chain]:
         if graph.next_in_series(chain[-1], readable) == chain[0]:
             continue  # a ring has no end to begin from
         for one, other in pairwise(chain):
-            if not joinable(graph.lanes[one], graph.lanes[other]):
+            if not one_road(graph.lanes[one], graph.lanes[other]):
                 yield tuple(stretch)
                 stretch = []
             stretch.append(other)

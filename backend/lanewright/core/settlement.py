@@ -11,7 +11,7 @@ from lanewright.core.beside import LanesBeside
 from lanewright.core.comparison import COINCIDENT_M, Comparison, crossing_key
 from lanewright.core.elements import LaneSegment
 from lanewright.core.geometry import distance_m, end_midpoint, overlap, readable_element
-from lanewright.core.identity import joinable
+from lanewright.core.identity import one_road
 from lanewright.core.loose_ends import lengthened_runs, outgrown_runs
 from lanewright.core.places import (
     coinciding_runs,
@@ -97,7 +97,7 @@ def _match(
     assignment: Assignment, comparison: Comparison, pairs: Iterable[tuple[Chain, Chain]], *, cut: bool = True
 ) -> bool:
     """Match pairs of runs, no lane twice: first those for which no lane is cut, then those that save the most
-    insertions and deletions (joinable lanes would be inserted as one), then by the fewest categories, the least
+    insertions and deletions (lanes that are one road are inserted as one), then by the fewest categories, the least
     displacement, the smallest ids. Whether there were any.
 
     ``cut``: also where base lanes must be cut for it.
@@ -113,11 +113,11 @@ def _match(
         if not all(readable_element(lane) for lane in (*was, *now)):
             continue
         alignment = align(was, now)
-        if alignment.parts and not cut:
+        if alignment is None or (alignment.parts and not cut):
             continue
         cost = (
             alignment.parts,
-            -len(deleted) - sum(not joinable(one, other) for one, other in pairwise(now)),
+            -len(deleted) - sum(not one_road(one, other) for one, other in pairwise(now)),
             alignment.categories,
             round(alignment.displacement_m, 6),
             *deleted,
@@ -196,7 +196,7 @@ def _join_inserted(assignment: Assignment, comparison: Comparison) -> bool:
         for one, other in pairwise(chain):
             pair = [comparison.edited.lanes[lane] for lane in (one, other)]
             if (
-                joinable(*pair)
+                one_road(*pair)
                 and assignment.is_free([one, other])
                 and all(map(readable_element, pair))
                 and not _ends_beside(beside, *pair)
