@@ -13,6 +13,7 @@ from tests.fuzz.hostile_maps import Document, pairs_of_documents
 
 from lanewright.core.canonical import canonicalise
 from lanewright.core.changes import Direction
+from lanewright.core.claims import DeclaredMacros
 from lanewright.core.comparison import Comparison
 from lanewright.core.diff import diff, diff_of, invert
 from lanewright.core.edits import apply_edits, edits_between
@@ -22,6 +23,7 @@ from lanewright.core.report import check_document, diff_document
 from lanewright.core.restore import restore
 from lanewright.core.rules import check, findings
 from lanewright.core.sentences import describe_update, exported_as, sentence
+from lanewright.formats.annotation import parse_annotation
 from lanewright.formats.av2_map import parse_map
 from lanewright.formats.map_pair import read_map_pair
 
@@ -98,6 +100,11 @@ def spoilt_documents(draw: st.DrawFn) -> Document:
     """A pair as one file, with one value somewhere replaced by nonsense, or gone."""
     base, edited = draw(pairs_of_documents())
     document: dict[str, Any] = {"base": base, "edited": edited}
+    _spoil(draw, document)
+    return document
+
+
+def _spoil(draw: st.DrawFn, document: Document) -> None:
     at: Any = document
     places: list[Any] = []
     while isinstance(at, dict | list) and at:
@@ -109,7 +116,6 @@ def spoilt_documents(draw: st.DrawFn) -> Document:
         holder[key] = draw(st.sampled_from(SPOILERS))
     else:
         del holder[key]
-    return document
 
 
 @settings(max_examples=150, suppress_health_check=[*SLOW, HealthCheck.function_scoped_fixture])
@@ -143,3 +149,40 @@ def _read_or_refuse(path: Path) -> None:
     except InvalidInput as error:
         refusal = error
     assert refusal is None or (str(refusal).startswith(str(path)) and refusal.mend)
+
+
+@settings(max_examples=100, suppress_health_check=SLOW)
+@given(pairs_of_documents())
+def test_the_diff_is_read_back_as_the_annotation_that_it_is(pair: tuple[Document, Document]):
+    """Lanes and crossings share ids here, and updates name elements by their ids alone."""
+    base, edited = map(parsed, pair)
+    derived = diff(base, edited)
+    claims = parse_annotation(json.dumps(diff_document(derived)).encode(), "changes.json", base, edited)
+    assert [(one.key, one.categories) for one in claims.annotated] == [
+        (one.key, tuple(sorted(one.categories))) for one in derived.changes
+    ]
+    assert set(claims.declared) == {DeclaredMacros(one.elements, one.macros) for one in derived.updates}
+
+
+@st.composite
+def spoilt_annotations(draw: st.DrawFn) -> tuple[MapState, MapState, Document]:
+    """Two maps, and what the diff says of them with up to three values replaced by nonsense, or gone."""
+    base, edited = map(parsed, draw(pairs_of_documents()))
+    document: Document = json.loads(json.dumps(diff_document(diff(base, edited))))
+    for _ in range(draw(st.integers(1, 3))):
+        if document:
+            _spoil(draw, document)
+    return base, edited, document
+
+
+@settings(max_examples=100, suppress_health_check=SLOW)
+@given(spoilt_annotations())
+def test_spoilt_annotations_are_checked_or_refused_in_words(spoilt: tuple[MapState, MapState, Document]):
+    base, edited, document = spoilt
+    refusal = None
+    try:
+        claims = parse_annotation(json.dumps(document).encode(), "changes.json", base, edited)
+        json.dumps(check_document(check(base, edited, claims)), allow_nan=False)
+    except InvalidInput as error:
+        refusal = error
+    assert refusal is None or (str(refusal).startswith("changes.json") and refusal.mend)

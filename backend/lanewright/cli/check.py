@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -18,22 +19,38 @@ EXIT_VIOLATIONS = 1
 
 
 @app.command()
-def check(base: BaseFile, edited: EditedFile = None, as_json: AsJson = False) -> None:
+def check(
+    base: BaseFile,
+    edited: EditedFile = None,
+    annotation: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="CHANGES.json",
+            help="Changes and macros annotated elsewhere, told from the first map to the second as diff --json does; "
+            "they are checked along with the maps.",
+        ),
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
     """Check the edited map against the rules of change mapping, with a mend for every violation.
 
     Defects that the base has already are shown as inherited and never count. Needs no server and no database.
-    Exit code: 0 without violations of severity error, 1 with any, 2 if a map cannot be read.
+    Exit code: 0 without violations of severity error, 1 with any, 2 if a file cannot be read.
     """
     maps = read_two_maps(base, edited)
 
+    from lanewright.core.claims import NO_CLAIMS
     from lanewright.core.report import check_document
     from lanewright.core.rules import check as check_maps
+    from lanewright.formats.annotation import read_annotation
 
-    violations = check_maps(maps.base.state, maps.edited.state)
+    claims = NO_CLAIMS if annotation is None else read_annotation(annotation, maps)
+    violations = check_maps(maps.base.state, maps.edited.state, claims)
     if as_json:
         print_json(check_document(violations))
     else:
-        print_lines(_told(violations, title_of(base, edited)))
+        title = title_of(base, edited)
+        print_lines(_told(violations, title if annotation is None else f"{title}, annotated in {annotation}"))
     if any(violation.blocks for violation in violations):
         raise typer.Exit(EXIT_VIOLATIONS)
 

@@ -9,7 +9,7 @@ from lanewright.core.errors import InvalidInput, Place
 from lanewright.formats import json_text
 from lanewright.formats.av2_map import LIMITS, MapDocument, parse_map
 from lanewright.formats.json_document import BYTE_ORDER_MARK, Limits, parse_json
-from lanewright.formats.untrusted_file import read_bytes
+from lanewright.formats.untrusted_file import read_given_bytes
 
 PAIR_LIMITS = Limits(size=2 * LIMITS.size, depth=LIMITS.depth + 1, nodes=2 * LIMITS.nodes)
 _MEMBERS = ("base", "edited")
@@ -30,15 +30,10 @@ def read_map_pair(base: Path, edited: Path | None = None) -> MapPair:
         InvalidInput: names file (by the path given, as both may have one name), element, key and the mend.
     """
     if edited is not None:
-        return MapPair(*(parse_map(_bytes_of(path, LIMITS), str(path)) for path in (base, edited)))
-    return _parse_pair(_bytes_of(base, PAIR_LIMITS), str(base))
-
-
-def _bytes_of(path: Path, limits: Limits) -> bytes:
-    if not path.is_file():
-        problem = "is not a file" if path.exists() else "is missing"
-        raise InvalidInput(problem, "Check the path.", Place(file=str(path)))
-    return read_bytes(path, most_bytes=limits.size, name=str(path))
+        return MapPair(
+            *(parse_map(read_given_bytes(path, most_bytes=LIMITS.size), str(path)) for path in (base, edited))
+        )
+    return _parse_pair(read_given_bytes(base, most_bytes=PAIR_LIMITS.size), str(base))
 
 
 def _parse_pair(data: bytes, file_name: str) -> MapPair:

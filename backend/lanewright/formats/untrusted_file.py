@@ -39,6 +39,14 @@ def read_bytes(path: Path, *, most_bytes: int, name: str | None = None) -> bytes
     return data
 
 
+def read_given_bytes(path: Path, *, most_bytes: int) -> bytes:
+    """The whole file at a path that a person gave; errors call it by that path. Raises InvalidInput as above."""
+    if not path.is_file():
+        problem = "is not a file" if path.exists() else "is missing"
+        raise InvalidInput(problem, "Check the path.", Place(file=str(path)))
+    return read_bytes(path, most_bytes=most_bytes, name=str(path))
+
+
 def require_inside(path: Path, root: Path) -> None:
     """Refuse a path that leads out of its log folder, e.g. through a symlink.
 
