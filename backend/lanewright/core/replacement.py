@@ -83,10 +83,10 @@ def _trial(assignment: Assignment, links: Iterable[Link], chosen: Chain) -> Comp
 
 
 def _left_to_tell(comparison: Comparison, lanes: Collection[int]) -> tuple[int, float]:
-    """Changed categories of the lanes that stay, and how far they moved in all."""
+    """Changed categories of the lanes that stay (parts of a cut lane go together), and how far they moved in all."""
     categories = len({lane for link, _ in comparison.changed_links for lane in link})
     displacement = 0.0
-    for lane in lanes:
+    for lane in sorted(comparison.surviving_lanes.intersection(lanes)):
         was, now = comparison.base.lanes[lane], comparison.edited.lanes[lane]
         categories += categories_between(was, now)
         displacement += _displacement_m(was, now)
