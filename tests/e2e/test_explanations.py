@@ -80,7 +80,8 @@ def test_a_lane_is_cut_where_its_mark_changes_and_its_macros_are_declared(
     expect(work.inspector).to_contain_text("part of lane 1")
     expect(lists.get_by_role("button", name="declared")).to_be_visible()
     expect(changes).to_have_count(1)
-    work.press("c")
+    work.tab("Changes").click()
+    page.keyboard.press("c")  # with the focus in the lists, not on the map
     expect(page.get_by_text(re.compile("differ in the left mark"))).to_be_visible()
     work.inspector.get_by_role("button", name="Revert").click()
     expect(changes).to_have_count(0, timeout=30_000)

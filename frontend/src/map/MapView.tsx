@@ -8,7 +8,7 @@ import { hasWebGl, NO_WEBGL, NO_WORKER } from "./createMap";
 import { Legend, MapButtons } from "./Furniture";
 import { Handles } from "./Handles";
 import { attachInput } from "./input";
-import { attachKeyboard } from "./keyboard";
+import { attachKeyboard, editLane } from "./keyboard";
 import type { Shown } from "./layers";
 import { MapController } from "./mapController";
 import {
@@ -96,6 +96,10 @@ export function MapView({ ref, ...properties }: MapViewProperties & { ref?: Ref<
         const element = elementOf(current, key) ?? elementOf(base, key);
         if (element === null || controller === null) return;
         controller.viewport.fit(ringOf(element), { animate: !calm(), closest: 20.5, padding: 110 });
+      },
+      editLane: (command) => {
+        const { view, direction } = latest.current;
+        editLane(editor, command, shownState(view, direction) === "base");
       },
       focus: () => region.current?.focus({ preventScroll: true }),
     }),

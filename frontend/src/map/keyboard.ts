@@ -2,7 +2,7 @@
 import { commandOf, type Editor, type KeyCommand, nudgeOf } from "../editor";
 import { NOT_EDITED } from "./input";
 import type { MapController } from "./mapController";
-import type { MapHandle, PageCommand } from "./properties";
+import type { LaneCommand, MapHandle, PageCommand } from "./properties";
 
 const PAN_PIXELS = 80;
 
@@ -14,7 +14,7 @@ export interface KeyboardOptions {
   readonly showsBase: () => boolean;
 }
 
-const EDITING: ReadonlySet<KeyCommand> = new Set(["remove", "add_vertex", "nudge", "join", "reverse"]);
+const EDITING: ReadonlySet<KeyCommand> = new Set(["remove", "add_vertex", "nudge"]);
 
 export function attachKeyboard(
   { map, region }: MapController,
@@ -34,8 +34,8 @@ export function attachKeyboard(
     tool_lane_beside: () => actions.setTool("lane_beside"),
     tool_draw_crossing: () => actions.setTool("draw_crossing"),
     tool_cut: () => actions.setTool("cut"),
-    join: () => withSelectedLane(editor, (lane) => actions.joinLane(lane)),
-    reverse: () => withSelectedLane(editor, (lane) => actions.reverseLane(lane)),
+    join: () => handle.editLane("join"),
+    reverse: () => handle.editLane("reverse"),
     cancel: () => actions.cancel(),
     finish: () => {
       if (editor.getState().sketch === null) onCommand({ name: "apply_fix" });
@@ -108,10 +108,13 @@ function isElsewhere({ target, key }: KeyboardEvent): boolean {
   return target.matches("button") && (key === "Enter" || key === " ");
 }
 
-function withSelectedLane({ getState, actions }: Editor, act: (lane: number) => unknown): void {
+/** Join the selected lane with the next one, or turn it round; not while the imported map is on the screen. */
+export function editLane({ getState, actions }: Editor, command: LaneCommand, showsBase: boolean): void {
   const { selection } = getState();
-  if (selection?.kind === "lane_segment") act(selection.id);
-  else actions.say("Select a lane first.");
+  if (selection?.kind !== "lane_segment") actions.say("Select a lane first.");
+  else if (showsBase) actions.say(NOT_EDITED);
+  else if (command === "join") void actions.joinLane(selection.id);
+  else actions.reverseLane(selection.id);
 }
 
 function addAfterSelected(editor: Editor): void {

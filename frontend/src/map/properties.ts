@@ -1,5 +1,5 @@
 /** The contract between the workspace page and the map. */
-import type { Editor, ElementKey, KeyText } from "../editor";
+import type { Editor, ElementKey, KeyCommand, KeyText } from "../editor";
 
 /** City frame = UTM zone `epsg` minus the origin. */
 export interface CityFrame {
@@ -78,8 +78,12 @@ export interface MapViewProperties {
 }
 
 /** What the page may ask of the mounted map (`ref`). */
+export type LaneCommand = Extract<KeyCommand, "join" | "reverse">;
+
 export interface MapHandle {
   fitLog(): void;
   fitElement(key: ElementKey): void;
+  /** What the keys for it do to the selected lane, wherever the focus is. */
+  editLane(command: LaneCommand): void;
   focus(): void;
 }

@@ -52,6 +52,7 @@ export function useWorkspaceKeys(commands: Commands): void {
       )
         commands.run({ name: command });
       else if (command === "next_frame" || command === "previous_frame") commands.run({ name: command });
+      else if (command === "join" || command === "reverse") mapRef.current?.editLane(command);
       else if (command === "fit_log") mapRef.current?.fitLog();
       else if (command === "fit_element") {
         const { selection } = editor.getState();
