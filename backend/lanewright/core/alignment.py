@@ -6,6 +6,7 @@ nothing does, it stays only if that costs no change of category, since cuts in s
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -13,7 +14,7 @@ import numpy as np
 
 from lanewright.core.elements import LaneSegment
 from lanewright.core.geometry import centreline, moved
-from lanewright.core.identity import joinable, one_road
+from lanewright.core.identity import ends_meet, joinable, one_road
 from lanewright.core.series import NEAR_M, Run, Station, along, apart_m
 
 
@@ -50,14 +51,14 @@ class Alignment:
 
 def align(base: Sequence[LaneSegment], edited: Sequence[LaneSegment]) -> Alignment | None:
     """The best alignment: fewest cut lanes, then fewest changed categories, rather the edited run's own joints. None
-    where lanes are of no length, so that nothing can be cut."""
+    where nothing can be cut: lanes are of no length, or do not meet."""
     was, now = Run.of(base), Run.of(edited)
     displacement = displacement_m(was.whole, now.whole)
     candidates: list[Alignment] = []
     if len(base) == len(edited):
         pieces = tuple(Piece(lane, old.id, False) for lane, old in zip(edited, base, strict=True))
         candidates.append(Alignment(pieces, False, _categories(was, pieces), displacement))
-    if len(base) > 1 or len(edited) > 1:
+    if (len(base) > 1 or len(edited) > 1) and all(itertools.starmap(ends_meet, itertools.pairwise(edited))):
         for snap in (NEAR_M, 0.0):
             recut = _recut(was, now, snap)
             if recut is not None:

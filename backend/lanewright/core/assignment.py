@@ -15,10 +15,10 @@ from typing import Any
 from lanewright.core.alignment import Alignment
 from lanewright.core.comparison import Comparison, crossing_key, lane_key
 from lanewright.core.cuts import marked_as_parts
-from lanewright.core.elements import ElementKey, ElementKind, LaneSegment, Line, MapState, PedestrianCrossing
+from lanewright.core.elements import ElementKey, ElementKind, LaneSegment, MapState, PedestrianCrossing
 from lanewright.core.geometry import lines_of
 from lanewright.core.identity import renamed, with_lanes_exchanged
-from lanewright.core.matching import place_of, same_crossings, same_lanes
+from lanewright.core.matching import place_of, plan_of, same_crossings, same_lanes
 from lanewright.core.segmentation import segmented
 from lanewright.core.series import Run
 from lanewright.core.survey import largest_id_named
@@ -35,6 +35,7 @@ class Assignment:
         lanes, crossings: token -> base id, for what is matched.
         own_lane_ids, own_crossing_ids: token -> id in the edited map as it came; new pieces have none.
         drawn: the lanes of the edited map, as it came, that were looked at anew.
+        pieces_of: token -> drawn lane, for what is one more piece of it.
         recut: whether any of them begins or ends elsewhere now.
         scope: the elements (of either map) to be looked at anew; None: all.
         parts: token -> base lane that is cut, for the parts of it.
@@ -61,6 +62,7 @@ class Assignment:
         self.banned: set[tuple[int, int]] = set()
         self.parts: dict[int, int] = {}
         self.drawn = drawn
+        self.pieces_of: dict[int, int] = {}
         self.recut = False
         self.scope = scope
         self._first_token = first_token
@@ -72,8 +74,15 @@ class Assignment:
         numbers = count(1 + largest_id_named(base, edited))
         drawn, crossings = _inside(edited, scope)
         settled = () if scope is None else base.lanes.keys() - {key for kind, key in scope if kind is _LANE}
-        recut = segmented(base, _with_cuts_forgotten(base, edited, drawn), drawn, settled, lambda: next(numbers))
-        free = [recut.lanes[key] for key in drawn.union(recut.lanes.keys() - edited.lanes.keys()) if key in recut.lanes]
+        pieces_of: dict[int, int] = {}
+
+        def fresh(lane: int) -> int:
+            piece = next(numbers)
+            pieces_of[piece] = lane
+            return piece
+
+        recut = segmented(base, _with_cuts_forgotten(base, edited, drawn), drawn, settled, fresh)
+        free = [recut.lanes[key] for key in (*drawn, *pieces_of) if key in recut.lanes]
         own_lanes = {next(numbers): lane.id for lane in sorted(free, key=_position)}
         own_crossings = {next(numbers): crossing.id for crossing in sorted(crossings, key=_crossing_position)}
         lane_tokens = {own: token for token, own in own_lanes.items()}
@@ -91,6 +100,7 @@ class Assignment:
             min((*own_lanes, *own_crossings), default=0),
             numbers,
         )
+        assignment.pieces_of = {lane_tokens[piece]: lane for piece, lane in pieces_of.items()}
         assignment.recut = recut.lanes.keys() != edited.lanes.keys() or any(
             place_of(recut.lanes[key]) != place_of(edited.lanes[key]) for key in drawn
         )
@@ -180,7 +190,7 @@ class Assignment:
             for token, piece in zip(inserted, alignment.pieces, strict=True)
         )
         for index, piece in enumerate(alignment.pieces):
-            token = inserted[index] if index < len(inserted) else next(self._numbers)
+            token = inserted[index] if index < len(inserted) else self._piece_of(inserted[-1])
             pieces.append(_under(piece.lane, token))
             if piece.is_part:
                 self.parts[token] = piece.base
@@ -196,8 +206,14 @@ class Assignment:
 
     def cut(self, token: int, pieces: Sequence[LaneSegment], kept: int) -> None:
         """Let an unmatched lane be those pieces in series; the one at ``kept`` keeps its token."""
-        named = [_under(piece, token if index == kept else next(self._numbers)) for index, piece in enumerate(pieces)]
+        named = [_under(piece, token if index == kept else self._piece_of(token)) for index, piece in enumerate(pieces)]
         self._exchange([token], named)
+
+    def _piece_of(self, token: int) -> int:
+        """A token for one more piece of what was drawn there."""
+        piece = next(self._numbers)
+        self.pieces_of[piece] = self.own_lane_ids[token] if token in self.own_lane_ids else self.pieces_of[token]
+        return piece
 
     def _exchange(self, old: Sequence[int], new: Sequence[LaneSegment]) -> None:
         self.edited = with_lanes_exchanged(self.edited, old, new)
@@ -233,8 +249,7 @@ def _with_cuts_forgotten(base: MapState, edited: MapState, lanes: Iterable[int])
 def _position(lane: LaneSegment) -> tuple[Any, ...]:
     """What is seen of a lane, as an order: its lines, then its properties."""
     return (
-        _plan(lane.left_boundary),
-        _plan(lane.right_boundary),
+        place_of(lane),
         lane.lane_type.value,
         lane.left_mark.value,
         lane.right_mark.value,
@@ -243,8 +258,4 @@ def _position(lane: LaneSegment) -> tuple[Any, ...]:
 
 
 def _crossing_position(crossing: PedestrianCrossing) -> tuple[Any, ...]:
-    return tuple(sorted(min(_plan(edge), _plan(edge[::-1])) for edge in (crossing.edge1, crossing.edge2)))
-
-
-def _plan(line: Line) -> tuple[tuple[float, ...], ...]:
-    return tuple(point[:2] for point in line)
+    return tuple(sorted(min(plan_of(edge), plan_of(edge[::-1])) for edge in (crossing.edge1, crossing.edge2)))

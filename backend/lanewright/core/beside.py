@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from itertools import chain, islice
 
 from lanewright.core.comparison import Comparison
 from lanewright.core.elements import LaneSegment, Line, MapState
@@ -12,6 +13,8 @@ from lanewright.core.series import NEAR_M, Run, Station, along, at_vertex
 from lanewright.core.survey import Survey
 
 Corner = tuple[float, float]
+_MOST = 50
+"""Lane ends at one point that are looked at; on real roads there are a few."""
 _Corners = dict[Corner, list[tuple[int, Corner]]]
 """Where boundaries end -> the lanes that they are of, and the point of the boundary next to the end."""
 
@@ -27,11 +30,9 @@ class LanesBeside:
 
     def end_at(self, corner: Corner, line: Line, others_than: Collection[int]) -> bool:
         """Whether another lane ends at that point of a line, and has its boundary on the line up to there."""
-        ending = [one for one in self._known.get(corner, ()) if one[0] not in self._touched]
-        return any(
-            lane not in others_than and along(line, (*before, 0.0))[1] <= MOVED_M
-            for lane, before in (*ending, *self._more.get(corner, ()))
-        )
+        known = (one for one in self._known.get(corner, ()) if one[0] not in self._touched)
+        ending = islice(chain(known, self._more.get(corner, ())), _MOST)
+        return any(lane not in others_than and along(line, (*before, 0.0))[1] <= MOVED_M for lane, before in ending)
 
     def joints_of(self, lane: LaneSegment) -> list[Station]:
         """Where a lane is to be cut, since lanes beside it end there, in driving order."""

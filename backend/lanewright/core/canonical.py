@@ -11,23 +11,19 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
+from lanewright.core.alignment import categories_between
 from lanewright.core.as_drawn import as_drawn
 from lanewright.core.assignment import Assignment, other_than_itself
-from lanewright.core.changes import Category
 from lanewright.core.comparison import Comparison
-from lanewright.core.diff import atomic_changes
-from lanewright.core.elements import ElementKey, ElementKind, LaneSegment, MapState
-from lanewright.core.geometry import lines_of, readable_element
+from lanewright.core.elements import ElementKey, ElementKind, MapState
 from lanewright.core.identity import fresh_ids, one_road, renamed
 from lanewright.core.macros import update_groups
 from lanewright.core.matching import lanes_by_place, place_of
 from lanewright.core.objections import objected
 from lanewright.core.scope import widened, worked_out_together
-from lanewright.core.series import SAME_POINT_M, along
 from lanewright.core.settlement import settle
-
-_WHOLE = frozenset({Category.INSERTION, Category.DELETION})
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +74,9 @@ def stands(comparison: Comparison, update: Collection[ElementKey]) -> bool:
     form = canonical_update(comparison, together)
     if form.edited is comparison.edited:
         return True
-    longer = _length(Comparison(comparison.uncut_base, form.edited)) > _length(comparison)
+    canonical = Comparison(comparison.uncut_base, form.edited)
+    apart = form.edited.apart(comparison.edited)
+    longer = _length(canonical, apart) > _length(comparison, apart)
     return longer and objected(comparison).isdisjoint(together)
 
 
@@ -105,19 +103,38 @@ def _runs_on(comparison: Comparison, key: ElementKey) -> bool:
     return any(one_road(lanes[one], lanes[other]) for one, other in joints)
 
 
-def _length(comparison: Comparison) -> tuple[int, int]:
-    """Insertions and deletions, then categories of change."""
-    changes = atomic_changes(comparison)
-    whole = sum(not _WHOLE.isdisjoint(change.categories) for change in changes)
-    return whole, sum(len(change.categories) for change in changes)
+def _length(comparison: Comparison, among: Collection[ElementKey]) -> tuple[int, int]:
+    """Insertions and deletions, then categories of change (links all over the map, as either side may write them)."""
+    base, edited = comparison.base, comparison.edited
+    whole = sum((key in base) is not (key in edited) for key in among)
+    in_place = sum(_categories(comparison, key) for key in among if key in base and key in edited)
+    return whole, whole + in_place + len({lane for link, _ in comparison.changed_links for lane in link})
+
+
+def _categories(comparison: Comparison, key: ElementKey) -> int:
+    """How many categories of change in place a survivor has."""
+    if key.kind is ElementKind.PEDESTRIAN_CROSSING:
+        return int(comparison.crossing_moved(key.id))
+    return categories_between(comparison.base.lanes[key.id], comparison.edited.lanes[key.id])
+
+
+_remembered: WeakKeyDictionary[Comparison, dict[frozenset[ElementKey], Canonical]] = WeakKeyDictionary()
 
 
 def canonical_update(comparison: Comparison, update: Collection[ElementKey]) -> Canonical:
     """The edited map with one structural update in its canonical form. It is settled as if it were the only one; lanes
     linked to what came or went are looked at along with it, since one of them may be the one to replace, and so are
-    other updates that meet these."""
+    other updates that meet these. Worked out once per comparison."""
+    known = _remembered.setdefault(comparison, {})
+    question = worked_out_together(comparison, update)
+    if question not in known:
+        known[question] = _settled(comparison, question)
+    return known[question]
+
+
+def _settled(comparison: Comparison, question: Collection[ElementKey]) -> Canonical:
     base, edited = comparison.uncut_base, comparison.edited
-    scope = widened(comparison, worked_out_together(comparison, update))
+    scope = widened(comparison, question)
     others = comparison.changed_keys.difference(scope)
     back = [element for element in map(base.get, others) if element is not None]
     alone = edited.replaced(back, [key for key in others if key not in comparison.base])
@@ -126,7 +143,7 @@ def canonical_update(comparison: Comparison, update: Collection[ElementKey]) -> 
     form = _named(assignment, alone, fresh_ids((base, edited)))
     if form.edited is alone:
         return dataclasses.replace(form, edited=edited)
-    settled = {key: form.edited.get(key) for key in form.edited.apart(alone)}
+    settled = {key: form.edited.get(key) for key in form.edited.apart(alone).difference(others)}
     put_in = [element for element in settled.values() if element is not None]
     merged = edited.replaced(put_in, [key for key, element in settled.items() if element is None])
     return dataclasses.replace(form, edited=merged)
@@ -134,13 +151,7 @@ def canonical_update(comparison: Comparison, update: Collection[ElementKey]) -> 
 
 def canonical_updates(comparison: Comparison, updates: Iterable[Collection[ElementKey]]) -> Canonical:
     """The edited map with several structural updates in their canonical form."""
-    form = Canonical(comparison.edited, {}, (), ())
-    for update in updates:
-        settled = canonical_update(Comparison(comparison.uncut_base, form.edited), update)
-        form = Canonical(
-            settled.edited, form.renamed | settled.renamed, form.joined + settled.joined, form.cut + settled.cut
-        )
-    return form
+    return canonical_update(comparison, [key for update in updates for key in update])
 
 
 def _named(assignment: Assignment, original: MapState, fresh: Iterator[int]) -> Canonical:
@@ -150,14 +161,15 @@ def _named(assignment: Assignment, original: MapState, fresh: Iterator[int]) -> 
     lanes = _final_ids(assignment.edited.lanes, assignment.lanes, assignment.own_lane_ids, taken, fresh)
     crossings = _final_ids(assignment.edited.crossings, assignment.crossings, assignment.own_crossing_ids, taken, fresh)
     final = assignment.with_parts_named(renamed(assignment.edited, *map(other_than_itself, (lanes, crossings))), lanes)
-    final = _with_known_objects(final, original)
+    renames = dict(_renames(assignment, lanes, crossings))
     if assignment.recut:
-        final = _with_known_objects(as_drawn(assignment.base, original, final), original)
+        final = as_drawn(assignment.base, original, final, renames)
+    final = _with_known_objects(final, original)
     return Canonical(
         final,
-        dict(_renames(assignment, lanes, crossings)),
+        renames,
         tuple(sorted(assignment.drawn.difference(map(assignment.own_lane_ids.get, lanes), lanes.values()))),
-        tuple(sorted({*_newly_cut(assignment, original), *_cut_as_drawn(assignment, original, final)})),
+        tuple(sorted({*_newly_cut(assignment, original), *_cut_as_drawn(assignment, lanes, original, final)})),
     )
 
 
@@ -192,23 +204,14 @@ def _newly_cut(assignment: Assignment, original: MapState) -> Iterator[int]:
             yield whole
 
 
-def _cut_as_drawn(assignment: Assignment, original: MapState, final: MapState) -> Iterator[int]:
+def _cut_as_drawn(
+    assignment: Assignment, lanes: Mapping[int, int], original: MapState, final: MapState
+) -> Iterator[int]:
     """Lanes that were drawn in one piece of which the canonical form makes several."""
-    drawn = [original.lanes[lane] for lane in sorted(assignment.drawn) if readable_element(original.lanes[lane])]
-    places = {place_of(lane) for lane in drawn}
-    for key in sorted(final.lanes.keys() - original.lanes.keys()):
-        piece = final.lanes[key]
-        if piece.part_of is None and readable_element(piece) and place_of(piece) not in places:
-            yield from (lane.id for lane in drawn if _lies_on(piece, lane))
-
-
-def _lies_on(piece: LaneSegment, lane: LaneSegment) -> bool:
-    """Whether the corners of a piece are on the lines of a lane."""
-    return all(
-        along(line, corner)[1] <= SAME_POINT_M
-        for part, line in zip(lines_of(piece), lines_of(lane), strict=True)
-        for corner in (part[0], part[-1])
-    )
+    for token, drawn in assignment.pieces_of.items():
+        piece = final.lanes.get(lanes.get(token, token))
+        if piece is not None and piece.part_of is None and piece.id not in original.lanes:
+            yield drawn
 
 
 def _final_ids(

@@ -9,8 +9,11 @@ from typing import Any
 
 from lanewright.core.attributes import LARGEST_ID
 from lanewright.core.elements import Element, ElementKey, ElementKind, LaneSegment, Line, MapState
-from lanewright.core.geometry import MOVED_M, lines_of
+from lanewright.core.geometry import lines_of
 from lanewright.core.survey import Survey, ids_named
+
+WIDEST_GAP_M = 0.01
+"""Linked ends further apart than this do not meet (spec §5, ``link.gap``)."""
 
 
 def renamed(state: MapState, lanes: Mapping[int, int], crossings: Mapping[int, int] | None = None) -> MapState:
@@ -97,9 +100,20 @@ def joinable(one: LaneSegment, other: LaneSegment) -> bool:
 
 
 def one_road(one: LaneSegment, other: LaneSegment) -> bool:
-    """Whether two lanes in series are one piece of road: nothing differs, and nothing gapes between them."""
-    return joinable(one, other) and all(
-        math.dist(before[-1][:2], after[0][:2]) <= MOVED_M
+    """Whether two lanes in series are one piece of road: nothing differs, their ends meet, and nothing else joins
+    there, beyond the rim of the map either."""
+    return (
+        joinable(one, other)
+        and {one.id}.issuperset(other.predecessors)
+        and {other.id}.issuperset(one.successors)
+        and ends_meet(one, other)
+    )
+
+
+def ends_meet(one: LaneSegment, other: LaneSegment) -> bool:
+    """Whether a lane ends where another one begins, on both sides."""
+    return all(
+        before and after and math.dist(before[-1][:2], after[0][:2]) <= WIDEST_GAP_M
         for before, after in zip(lines_of(one), lines_of(other), strict=True)
     )
 

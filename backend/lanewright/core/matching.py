@@ -53,7 +53,7 @@ def lanes_by_place(lanes: Mapping[int, LaneSegment]) -> dict[Place, list[int]]:
 
 def place_of(lane: LaneSegment) -> Place:
     """A lane's left and right boundary in the plane."""
-    return _plan(lane.left_boundary), _plan(lane.right_boundary)
+    return plan_of(lane.left_boundary), plan_of(lane.right_boundary)
 
 
 class _Links:
@@ -173,10 +173,10 @@ def same_crossings(
 
 
 def _corners(crossing: PedestrianCrossing) -> Hashable:
-    return frozenset(frozenset(_plan(edge)) for edge in lines_of(crossing))
+    return frozenset(frozenset(plan_of(edge)) for edge in lines_of(crossing))
 
 
-def _plan(line: Line) -> tuple[tuple[float, float], ...]:
+def plan_of(line: Line) -> tuple[tuple[float, float], ...]:
     return tuple(point[:2] for point in line)
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
+from itertools import chain
+from weakref import WeakKeyDictionary
 
 from lanewright.core.comparison import Comparison, lane_key
 from lanewright.core.elements import ElementKey, ElementKind, LaneSegment
@@ -33,18 +35,38 @@ def _linked(comparison: Comparison, update: Collection[ElementKey]) -> Iterator[
                 yield from map(lane_key, (*graph.successors[key], *graph.predecessors[key]))
 
 
+_remembered: WeakKeyDictionary[Comparison, dict[ElementKey, frozenset[ElementKey]]] = WeakKeyDictionary()
+
+
 def worked_out_together(comparison: Comparison, update: Iterable[ElementKey]) -> frozenset[ElementKey]:
     """An update with those that meet the lanes looked at along with it: where a lane between two updates may be the one
     to replace, they are one question."""
-    group_of = {key: group for group in update_groups(comparison) for key in group}
-    together = frozenset(update)
-    while True:
-        scope = widened(comparison, together)
+    if comparison not in _remembered:
+        _remembered[comparison] = _questions(comparison)
+    question_of = _remembered[comparison]
+    return frozenset(update).union(*(question_of[key] for key in update if key in question_of))
+
+
+def _questions(comparison: Comparison) -> dict[ElementKey, frozenset[ElementKey]]:
+    """For every changed element all those that are one question with it."""
+    question_of: dict[ElementKey, set[ElementKey]] = {}
+    groups = update_groups(comparison)
+    for group in groups:
+        question = set(group)
+        question_of.update((key, question) for key in group)
+    for group in groups:
+        scope = widened(comparison, group)
         met = scope.union(*(_joined_to(graph, scope) for graph in (comparison.base_graph, comparison.edited_graph)))
-        grown = together.union(*(group_of[key] for key in met if key in group_of))
-        if grown == together:
-            return together
-        together = grown
+        naming = (comparison.survey.references.get(key, ()) for kind, key in scope if kind is ElementKind.LANE_SEGMENT)
+        met.update(map(lane_key, chain.from_iterable(naming)))
+        for key in sorted(met):
+            one, other = question_of[group[0]], question_of.get(key)
+            if other is not None and other is not one:
+                larger, smaller = (one, other) if len(one) >= len(other) else (other, one)
+                larger |= smaller
+                question_of.update((key, larger) for key in smaller)
+    frozen = {id(question): frozenset(question) for question in question_of.values()}
+    return {key: frozen[id(question)] for key, question in question_of.items()}
 
 
 def _joined_to(graph: RoadGraph, keys: Iterable[ElementKey]) -> Iterator[ElementKey]:

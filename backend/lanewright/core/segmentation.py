@@ -8,11 +8,11 @@ the base that now change further on (that joint moved), and the loose end of a l
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import pairwise
 
 from lanewright.core.comparison import Comparison
-from lanewright.core.elements import MapState
+from lanewright.core.elements import LaneSegment, MapState
 from lanewright.core.geometry import readable_element
 from lanewright.core.identity import one_road, with_lanes_exchanged
 from lanewright.core.matching import Place, lanes_by_place, place_of
@@ -22,14 +22,16 @@ from lanewright.core.survey import Survey
 
 
 def segmented(
-    base: MapState, edited: MapState, free: Collection[int], settled: Collection[int], fresh: Callable[[], int]
+    base: MapState, edited: MapState, free: Collection[int], settled: Collection[int], fresh: Callable[[int], int]
 ) -> MapState:
     """The edited map with its lanes in that segmentation.
 
-    ``free``: lanes of the edited map that may be cut and joined; pieces keep their ids as far as there are as many,
-    others take ``fresh`` ones. ``settled``: lanes of the base that the edited map has as they were.
+    ``free``: lanes of the edited map that may be cut and joined; as many pieces as possible keep their ids, others get
+    ``fresh`` ones (of the lane that they come from). ``settled``: lanes of the base that the edited map has as they
+    were.
     """
-    graph = Comparison(base, edited).edited_graph
+    comparison = Comparison(base, edited)
+    graph = comparison.edited_graph if comparison.edited is edited else RoadGraph.of(edited)
     placed = set(settled)
     new = set(free)
     places = Survey(base).fact(_lanes_by_place)
@@ -63,12 +65,21 @@ def _stretches(graph: RoadGraph, free: Collection[int]) -> Iterator[Chain]:
     """The free lanes in series as far as nothing differs between them; those that cannot be read are left out."""
     readable = {lane for lane in free if readable_element(graph.lanes[lane])}
     for chain in graph.chains(readable):
-        stretch = [chain[0]]
-        if graph.next_in_series(chain[-1], readable) == chain[0]:
-            continue  # a ring has no end to begin from
-        for one, other in pairwise(chain):
+        ring = graph.next_in_series(chain[-1], readable) == chain[0]
+        row = _from_a_joint([graph.lanes[lane] for lane in chain]) if ring else chain
+        stretch = [*row[:1]]
+        for one, other in pairwise(row):
             if not one_road(graph.lanes[one], graph.lanes[other]):
                 yield tuple(stretch)
                 stretch = []
             stretch.append(other)
-        yield tuple(stretch)
+        if stretch:
+            yield tuple(stretch)
+
+
+def _from_a_joint(ring: Sequence[LaneSegment]) -> Chain:
+    """A ring from the first lane on that differs from the one before it; nothing where none does: no place to begin."""
+    for index, lane in enumerate(ring):
+        if not one_road(ring[index - 1], lane):
+            return tuple(other.id for other in (*ring[index:], *ring[:index]))
+    return ()

@@ -7,14 +7,12 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-import numpy as np
-
-from lanewright.core.elements import LaneSegment, MapState, Point
+from lanewright.core.elements import LaneSegment, MapState
 from lanewright.core.geometry import MOVED_M
 from lanewright.core.identity import joinable
-from lanewright.core.lane_ends import LaneEnds
+from lanewright.core.lane_ends import LaneEnds, NearEnd
 from lanewright.core.roadgraph import FINISH, START, Chain, Endpoint, RoadGraph
-from lanewright.core.series import NEAR_M, SAME_POINT_M, Run, Station, along, apart_m, at_vertex
+from lanewright.core.series import NEAR_M, SAME_POINT_M, Run, Station, apart_m, at_vertex
 from lanewright.core.survey import Survey
 
 _CLOSE_M = 1.0
@@ -40,11 +38,12 @@ class Stretch:
         self._base = Survey(base)
         self._edited = edited
         self._run = Run.of([edited.lanes[lane] for lane in lanes])
+        self._near = self._base.fact(LaneEnds).near(self._run.whole, NEAR_M)
         self._cuts = [_Cut((0.0, 0.0)), _Cut(self._run.ends)]
 
     def cut_at_lanes_on_it(self) -> None:
         """Cut where a lane of the base that lies on this stretch begins or ends."""
-        self._cut_at(self._located(MOVED_M), 2 * MOVED_M)
+        self._cut_at([one for one in self._near if one.away_m <= MOVED_M], 2 * MOVED_M)
 
     def lanes_on_it(self) -> set[int]:
         """The lanes of the base that run from one cut to the next."""
@@ -56,15 +55,16 @@ class Stretch:
         taken = [(one.station, other.station) for one, other in pairwise(self._cuts) if _from_to(one, other)]
         self._cut_at(
             [
-                (away_m, self._at_vertices(station), end)
-                for away_m, station, end in self._located(NEAR_M)
-                if end[0] not in placed and not any(start <= station <= finish for start, finish in taken)
+                one._replace(station=self._at_vertices(one.station))
+                for one in self._near
+                if one.end[0] not in placed and not any(start <= one.station <= finish for start, finish in taken)
             ],
             NEAR_M,
         )
 
-    def pieces(self, new: Collection[int], fresh: Callable[[], int]) -> list[LaneSegment] | None:
-        """The stretch cut anew; None if it is cut like that already. ``new``: lanes that are where none was before."""
+    def pieces(self, new: Collection[int], fresh: Callable[[int], int]) -> list[LaneSegment] | None:
+        """The stretch cut anew; None if it is cut like that already. ``new``: lanes that are where none was before;
+        ``fresh``: gives an id to one more piece of a drawn lane."""
         stations = [cut.station for cut in self._kept(new)]
         joints = self._run.joints
         if len(stations) == len(joints) and all(map(_same_station, stations, joints)):
@@ -72,22 +72,10 @@ class Stretch:
         ends = self._run.ends
         owners = _owners([(0.0, 0.0), *joints, ends], [(0.0, 0.0), *stations, ends])
         return [
-            dataclasses.replace(piece, id=fresh() if owner is None else self.lanes[owner], part_of=None)
-            for piece, owner in zip(self._run.pieces(stations), owners, strict=True)
+            dataclasses.replace(piece, id=lane if first else fresh(lane), part_of=None)
+            for piece, (index, first) in zip(self._run.pieces(stations), owners, strict=True)
+            for lane in (self.lanes[index],)
         ]
-
-    def _located(self, limit_m: float) -> list[tuple[float, Station, Endpoint]]:
-        """Ends of base lanes in this direction whose corners are that near: how near, and where on the stretch."""
-        whole = self._run.whole
-        found = []
-        for lane, end in self._base.fact(LaneEnds).near(whole.left_boundary, limit_m):
-            was = self._base.state.lanes[lane]
-            left, right = was.left_boundary[-end], was.right_boundary[-end]
-            (a, away_a), (b, away_b) = along(whole.left_boundary, left), along(whole.right_boundary, right)
-            away_m = max(away_a, away_b)
-            if away_m <= limit_m and _across(left, right) @ _across(*self._run.place((a, b))) > 0:
-                found.append((round(away_m, 6), (a, b), (lane, end)))
-        return sorted(found)
 
     def _at_vertices(self, station: Station) -> Station:
         """The station, moved to vertices close by, where drawn lanes and lanes beside them have their ends."""
@@ -95,7 +83,7 @@ class Stretch:
         whole = self._run.whole
         return at_vertex(whole.left_boundary, left, _CLOSE_M), at_vertex(whole.right_boundary, right, _CLOSE_M)
 
-    def _cut_at(self, places: Sequence[tuple[float, Station, Endpoint]], margin_m: float) -> None:
+    def _cut_at(self, places: Sequence[NearEnd], margin_m: float) -> None:
         """Cut there, the nearest ends first; ends within the margin of a cut are that cut's."""
         for _, station, end in places:
             here = [cut for cut in self._cuts if apart_m(cut.station, station) <= margin_m]
@@ -147,10 +135,6 @@ def _from_to(start: _Cut, finish: _Cut) -> set[int]:
     return {lane for lane, end in finish.ends if end == FINISH and lane in beginning}
 
 
-def _across(left: Point, right: Point) -> np.ndarray:
-    return np.subtract(right[:2], left[:2])
-
-
 def _in_order(one: Station, other: Station) -> bool:
     return one[0] < other[0] and one[1] < other[1]
 
@@ -159,17 +143,28 @@ def _same_station(one: Station, other: Station) -> bool:
     return apart_m(one, other) <= SAME_POINT_M
 
 
-def _owners(drawn: Sequence[Station], cut: Sequence[Station]) -> list[int | None]:
-    """For each piece between two cuts which piece between two drawn joints it is: the one with which it shares most,
-    each at most once."""
-    shared = sorted(
-        (-overlap, piece, index)
-        for piece, (start, finish) in enumerate(pairwise(map(sum, cut)))
-        for index, (first, last) in enumerate(pairwise(map(sum, drawn)))
-        if (overlap := min(finish, last) - max(start, first)) > SAME_POINT_M
-    )
-    owners: list[int | None] = [None] * (len(cut) - 1)
+def _owners(drawn: Sequence[Station], cut: Sequence[Station]) -> list[tuple[int, bool]]:
+    """For each piece between two cuts which piece between two drawn joints it is: the one with which it shares most and
+    that no other is; or, since it is one more piece, the one with which it shares most, and False."""
+    owners: dict[int, tuple[int, bool]] = {}
+    taken: set[int] = set()
+    shared = sorted(_shared([sum(station) for station in drawn], [sum(station) for station in cut]))
     for _, piece, index in shared:
-        if owners[piece] is None and index not in owners:
-            owners[piece] = index
-    return owners
+        if piece not in owners and index not in taken:
+            owners[piece] = (index, True)
+            taken.add(index)
+    for _, piece, index in shared:
+        owners.setdefault(piece, (index, False))
+    return [owners[piece] for piece in range(len(cut) - 1)]
+
+
+def _shared(drawn: Sequence[float], cut: Sequence[float]) -> Iterator[tuple[float, int, int]]:
+    """Pieces of two divisions of one line that overlap: minus how much, and which."""
+    index = 0
+    for piece, (start, finish) in enumerate(pairwise(cut)):
+        while index + 2 < len(drawn) and drawn[index + 1] <= start:
+            index += 1
+        for other in range(index, len(drawn) - 1):
+            if other > index and drawn[other] >= finish:
+                break
+            yield max(start, drawn[other]) - min(finish, drawn[other + 1]), piece, other

@@ -80,7 +80,7 @@ def proposal(
 
 def settled(session: Session, task: Task, account_id: int, evaluation: Evaluation) -> tuple[Evaluation, Retold]:
     """The evaluation of what a save stores: updates that a note calls not canonical, and those in which a lane only
-    makes another one longer, in their canonical form.
+    makes another one longer (unless macros are declared of it), in their canonical form.
 
     Raises:
         Conflict: ``save.violations``, with the notes, whose fixes lead to it, when that form breaks a rule (a
@@ -88,7 +88,9 @@ def settled(session: Session, task: Task, account_id: int, evaluation: Evaluatio
     """
     notes = [one for one in evaluation.findings.violations if one.code == identity_not_canonical.CODE]
     comparison = evaluation.findings.comparison
-    updates = dict.fromkeys((*_updates_of(comparison, notes), *lengthening_updates(comparison)))
+    named = {key for declaration in evaluation.declared for key in declaration.elements}
+    longer = [update for update in lengthening_updates(comparison) if named.isdisjoint(update)]
+    updates = dict.fromkeys((*_updates_of(comparison, notes), *longer))
     if not updates:
         return evaluation, AS_DRAWN
     form = canonical_updates(comparison, updates)

@@ -10,14 +10,13 @@ from typing import Any
 from lanewright.core.comparison import Comparison
 from lanewright.core.elements import ElementKind, LaneSegment, Line, MapState
 from lanewright.core.geometry import readable_element, same_plan
-from lanewright.core.identity import without_link
+from lanewright.core.identity import WIDEST_GAP_M, without_link
 from lanewright.core.roadgraph import FINISH, START, Link
 from lanewright.core.rules.rule import Remedy, Rule
 from lanewright.core.survey import Survey
 from lanewright.core.violations import Severity, Violation
 
 CODE = "link.gap"
-WIDEST_M = 0.01
 _SIDES = ("left_boundary", "right_boundary")
 
 
@@ -56,7 +55,7 @@ def _near(line: Line, other: Line) -> bool:
     if not line or not other:
         return False
     one, two = line[-1], other[0]
-    return (one[0] == two[0] and one[1] == two[1]) or math.hypot(one[0] - two[0], one[1] - two[1]) <= WIDEST_M
+    return (one[0] == two[0] and one[1] == two[1]) or math.hypot(one[0] - two[0], one[1] - two[1]) <= WIDEST_GAP_M
 
 
 def _gap_m(lane: LaneSegment, other: LaneSegment, side: str) -> float:
@@ -73,7 +72,7 @@ def _violation(comparison: Comparison, link: Link, gaps: dict[str, float]) -> Vi
         ElementKind.LANE_SEGMENT,
         tuple(sorted({upstream, downstream})),
         f"Lane {upstream} leads to lane {downstream}, but their ends are {widest:.2f} m apart: they must meet.",
-        inherited=all(_inherited(comparison, link, side) for side, gap in gaps.items() if gap > WIDEST_M),
+        inherited=all(_inherited(comparison, link, side) for side, gap in gaps.items() if gap > WIDEST_GAP_M),
     )
 
 
@@ -123,7 +122,7 @@ def _is_beside(comparison: Comparison, link: Link) -> bool:
         math.dist(lane.left_boundary[end][:2], lane.right_boundary[end][:2])
         for lane, end in ((upstream, -1), (downstream, 0))
     )
-    return max(_gap_m(upstream, downstream, side) for side in _SIDES) > min(widths) - WIDEST_M
+    return max(_gap_m(upstream, downstream, side) for side in _SIDES) > min(widths) - WIDEST_GAP_M
 
 
 def _moved_onto(state: MapState, moving: int, still: int, end: int) -> MapState:

@@ -18,10 +18,11 @@ Findings = Callable[[Comparison], tuple[Violation, ...]]
 
 @dataclass(frozen=True, slots=True)
 class _Verdict:
-    """A remedy, and what is left after it."""
+    """A remedy, the ids of the violations that are left after it, and whether any of these is new."""
 
     remedy: Remedy
-    left: tuple[Violation, ...]
+    left: frozenset[str]
+    adds: bool
     edits: tuple[Edit, ...]
 
 
@@ -36,7 +37,9 @@ class FixTrial:
         self._findings = findings
         self._known = {violation.id for violation in found if not violation.inherited}
         self._judged: dict[int, _Verdict] = {}
+        self._edits: dict[int, tuple[Edit, ...]] = {}
         self._remedies: list[Remedy] = []
+        """Kept, so that no other remedy can have the identity of one that was looked at."""
         self._trials = 0
         self._work = 0
 
@@ -48,13 +51,12 @@ class FixTrial:
         second: tuple[Fix, ...] = ()
         for remedy in self._rules[violation.code].remedies(self._comparison, violation):
             if self._exhausted and id(remedy) not in self._judged:
-                edits = edits_between(self._comparison.edited, remedy.edited)
-                return second or (self._fix(remedy, edits),)
+                return second or (self._fix(remedy, self._edits_of(remedy)),)
             verdict = self._judge(remedy)
-            if any(other.id == violation.id for other in verdict.left):
+            if violation.id in verdict.left:
                 continue
             fix = self._fix(verdict.remedy, verdict.edits)
-            if not self._added(verdict.left):
+            if not verdict.adds:
                 return (fix,)
             second = second or (fix,)
         return second
@@ -72,11 +74,18 @@ class FixTrial:
         """The remedy, completed where it lays bare another defect, and what is left after it."""
         if id(remedy) not in self._judged:
             completed, left = self._completed(remedy, self._left_after(remedy))
-            edits = edits_between(self._comparison.edited, completed.edited)
-            self._judged[id(remedy)] = _Verdict(completed, left, edits)
-            # Kept, so that no other remedy can have its identity.
+            edits = self._edits_of(completed)
+            ids = frozenset(violation.id for violation in left)
+            self._judged[id(remedy)] = _Verdict(completed, ids, bool(self._added(left)), edits)
             self._remedies.append(remedy)
         return self._judged[id(remedy)]
+
+    def _edits_of(self, remedy: Remedy) -> tuple[Edit, ...]:
+        """What a remedy changes, worked out once."""
+        if id(remedy) not in self._edits:
+            self._edits[id(remedy)] = edits_between(self._comparison.edited, remedy.edited)
+            self._remedies.append(remedy)
+        return self._edits[id(remedy)]
 
     @property
     def _exhausted(self) -> bool:
