@@ -191,3 +191,15 @@ def test_declarations_that_are_left_out_stay_as_they_are(desk: Desk) -> None:
     assert desk.open()["declarations"] == [PAINTED]
     assert desk.keep_draft(repaint(12), base=2).status_code == 200
     assert desk.open()["draft"]["declarations"] == [PAINTED]
+
+
+def test_a_lane_of_which_macros_are_declared_is_not_joined_by_the_save(desk_on: DeskOn) -> None:
+    #  ── 1 ── 9 ──  the lane number is declared of 9, so 9 stays a lane
+    base = world(straight(1, 0, 60))
+    desk = desk_on(base)
+    longer = world(straight(1, 0, 60, successors=(9,)), straight(9, 60, 90, predecessors=(1,)))
+    edits = as_sent(desk, base, longer)
+    (mine,) = (edit["id"] for edit in edits if edit["operation"] == "insert")
+    statement = declared(("lane_segment", mine), lane_graph=True, lane_number=1)
+    answer = desk.save(*edits, declarations=[statement]).json()
+    assert (answer["joined"], answer["declarations"]) == ([], [statement])

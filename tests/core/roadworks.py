@@ -203,6 +203,26 @@ def with_link(state: MapState, link: Link, *, both: bool) -> MapState:
     return state
 
 
+def open_gap(random: Random, state: MapState) -> MapState:
+    """The end of a lane drawn back from where it led; the lanes beside it stay."""
+    lane, by = any_lane(random, state), random.choice((0.3, 4.0))
+    lines = {}
+    for side in ("left_boundary", "right_boundary"):
+        line = getattr(lane, side)
+        dx, dy = _step(*line[-2:])
+        length = math.hypot(dx, dy)
+        if length < by + 0.5:
+            return state
+        lines[side] = (*line[:-1], _shifted(line[-1], (-dx / length * by, -dy / length * by)))
+    return state.replaced([dataclasses.replace(lane, **lines)])
+
+
+def forget_neighbor(random: Random, state: MapState) -> MapState:
+    """A lane that names its neighbour on the left no more, but is named by it."""
+    beside = [lane for _, lane in sorted(state.lanes.items()) if lane.left_neighbor_id is not None]
+    return state.replaced([dataclasses.replace(random.choice(beside), left_neighbor_id=None)]) if beside else state
+
+
 def unlink(random: Random, state: MapState) -> MapState:
     links = sorted(RoadGraph.of(state).links())
     return state.replaced(without_link(state.lanes, random.choice(links))) if links else state
@@ -241,6 +261,8 @@ ALL_EDITS: tuple[Rewrite, ...] = (
     fill_gap,
     drive_on,
     insert_row,
+    open_gap,
+    forget_neighbor,
     link,
     unlink,
     insert_crossing,

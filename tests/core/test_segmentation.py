@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from tests.core.update_machine import same_road
 from tests.core.worlds import lane, straight, street, world
 
 from lanewright.core.canonical import canonical_form, canonical_updates, canonicalise, lengthening_updates
@@ -159,3 +160,79 @@ def test_a_fix_keeps_what_else_was_edited():
     mended = apply_edits(edited, violation.fixes[0].edits)
     assert violation.code == "replacement.unjustified"
     assert [(one.id, *one.categories) for one in diff(base, mended).changes] == [(200, "type")]
+
+
+def test_lanes_with_a_gap_between_them_are_not_one_road():
+    #  1 ── 2   =>   1 ─  8 ── 9        a hole of 4 m after 1
+    base = world(straight(1, 0, 20, successors=(2,)), straight(2, 20, 60, predecessors=(1,)))
+    edited = world(
+        straight(1, 0, 20, successors=(8,)),
+        straight(8, 24, 40, predecessors=(1,), successors=(9,)),
+        straight(9, 40, 60, predecessors=(8,)),
+    )
+    canonical = canonicalise(base, edited)
+    assert canonical.lanes[2].left_boundary[0] == (24.0, 3.5, 0.0)
+    assert story(base, edited) == [(2, "geometry")]
+
+
+def test_lanes_are_not_joined_where_something_leads_on_beyond_the_rim():
+    #  1 ── 999 (beyond the rim)   =>   1 ── 999, 9
+    base = world(straight(1, 0, 40, successors=(999,)))
+    edited = world(straight(1, 0, 40, successors=(999, 9)), straight(9, 40, 60, predecessors=(1,)))
+    assert lengthening_updates(Comparison(base, edited)) == []
+    assert canonicalise(base, edited) is edited
+
+
+def test_a_cut_that_the_base_records_is_looked_at_in_a_map_that_has_the_lane_whole():
+    white = {"left_mark": Mark.SOLID_WHITE}
+    parts = world(
+        straight(11, 0, 20, successors=(12,), part_of=1), straight(12, 20, 60, predecessors=(11,), part_of=1, **white)
+    )
+    whole = world(straight(1, 0, 60, **white))
+    assert same_road(whole, canonicalise(parts, whole))
+
+
+def test_exchanged_ids_are_not_put_back_because_they_tell_the_same():
+    #  1 over 2, both bent, under each other's ids; far away a joint moved along its road
+    far = (straight(4, 0, 20, 50, 53.5, successors=(5,)), straight(5, 20, 50, 50, 53.5, predecessors=(4,)))
+    base = world(straight(1, 0, 60, 0, 3.5, right_neighbor_id=2), straight(2, 0, 60, -3.5, 0, left_neighbor_id=1), *far)
+    edited = world(
+        lane(2, "0,4.5 30,6 60,4.5", "0,0.5 30,1 60,0.5", right_neighbor_id=1),
+        lane(1, "0,0.5 30,1 60,0.5", "0,-4.5 30,-6 60,-4.5", left_neighbor_id=2),
+        straight(4, 0, 30, 50, 53.5, successors=(5,)),
+        straight(5, 30, 50, 50, 53.5, predecessors=(4,)),
+    )
+    form = canonical_form(base, edited)
+    assert form.renamed == {edited.lanes[1].key: 2, edited.lanes[2].key: 1}
+    assert form.edited.lanes[1].left_boundary == edited.lanes[2].left_boundary
+    assert [one.code for one in check(base, form.edited)] == []
+
+
+def test_one_update_in_canonical_form_leaves_the_others_as_they_were_edited():
+    #  2 names 1 as its neighbour, 1 names nobody; 1 is driven on by 9, 2 repainted
+    base = world(straight(1, 0, 100), straight(2, 0, 40, -3.5, 0, left_neighbor_id=1))
+    edited = world(
+        straight(1, 0, 100, successors=(9,)),
+        straight(9, 100, 130, predecessors=(1,)),
+        straight(2, 0, 40, -3.5, 0, left_neighbor_id=1, right_mark=Mark.SOLID_WHITE),
+    )
+    comparison = Comparison(base, edited)
+    saved = canonical_updates(comparison, lengthening_updates(comparison)).edited
+    assert [(one.id, *one.categories) for one in diff(base, saved).changes] == [(1, "geometry"), (2, "marking")]
+
+
+def test_a_ring_is_cut_where_something_differs_on_it():
+    #  a ring of 1 (white), 2 and 3; the joint of 2 and 3 drawn elsewhere
+    white = {"left_mark": Mark.SOLID_WHITE}
+    first = lane(1, "0,0 10,0", "0,-3 13,-3", successors=(2,), predecessors=(3,), **white)
+    base = world(
+        first,
+        lane(2, "10,0 10,10", "13,-3 13,13", successors=(3,), predecessors=(1,)),
+        lane(3, "10,10 0,10 0,0", "13,13 -3,13 0,-3", successors=(1,), predecessors=(2,)),
+    )
+    edited = world(
+        first,
+        lane(2, "10,0 10,10 5,10", "13,-3 13,13 5,13", successors=(3,), predecessors=(1,)),
+        lane(3, "5,10 0,10 0,0", "5,13 -3,13 0,-3", successors=(1,), predecessors=(2,)),
+    )
+    assert story(base, edited) == []

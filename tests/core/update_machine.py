@@ -18,7 +18,7 @@ from tests.core.roadworks import ALL_EDITS
 from tests.core.street_maps import random_map
 from tests.core.worlds import REAL_MAPS, real_map
 
-from lanewright.core.canonical import canonical_updates, canonicalise, lengthening_updates
+from lanewright.core.canonical import canonical_map, canonical_updates, canonicalise, lengthening_updates
 from lanewright.core.changes import Category
 from lanewright.core.comparison import Comparison
 from lanewright.core.diff import diff, invert
@@ -138,8 +138,10 @@ class MapUpdate(RuleBasedStateMachine):
             assert written == canonical or length(written) < length(canonical)
 
     def _the_canonical_form_is_the_same_map(self) -> None:
-        """Up to ids and cuts in series, that is: as an update of the written map it changes nothing."""
+        """Up to ids and cuts in series, that is: as an update of the written map it changes nothing. Nor does what the
+        workspace and the command line make of it, update by update."""
         assert same_road(self.written, self.canonical)
+        assert same_road(self.written, canonical_map(Comparison(self.base, self.written)).edited)
 
 
 def same_road(one: MapState, other: MapState) -> bool:
