@@ -200,7 +200,8 @@ class Assignment:
             self._exchange(inserted, pieces)
 
     def join(self, one: int, other: int) -> None:
-        """Let two unmatched lanes in series be one, under the first one's token."""
+        """Let two unmatched lanes in series be one, under the first token; what either must not be, it must not."""
+        self.banned |= {(one, was) for token, was in self.banned if token == other}
         whole = Run.of([self.edited.lanes[one], self.edited.lanes[other]]).pieces([])[0]
         self._exchange([one, other], [_under(whole, one)])
 
