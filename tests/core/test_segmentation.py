@@ -236,3 +236,11 @@ def test_a_ring_is_cut_where_something_differs_on_it():
         lane(3, "5,10 0,10 0,0", "5,13 -3,13 0,-3", successors=(1,), predecessors=(2,)),
     )
     assert story(base, edited) == []
+
+
+def test_a_lane_drawn_anew_in_two_with_a_gap_is_the_part_that_is_nearer():
+    #  1   =>   8 ─  9        a hole of 4 m between them
+    base = world(straight(1, 0, 25))
+    edited = world(straight(8, 0, 21, successors=(9,)), straight(9, 25, 27, predecessors=(8,)))
+    assert story(base, edited) == [("new", "insertion"), (1, "geometry")]
+    assert canonicalise(base, edited).lanes[1].left_boundary[-1] == (21.0, 3.5, 0.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
 from lanewright.core.alignment import Alignment, align
@@ -11,7 +11,7 @@ from lanewright.core.beside import LanesBeside
 from lanewright.core.comparison import COINCIDENT_M, Comparison, crossing_key
 from lanewright.core.elements import LaneSegment
 from lanewright.core.geometry import distance_m, end_midpoint, overlap, readable_element
-from lanewright.core.identity import one_road
+from lanewright.core.identity import ends_meet, one_road
 from lanewright.core.loose_ends import lengthened_runs, outgrown_runs
 from lanewright.core.places import (
     coinciding_runs,
@@ -112,23 +112,38 @@ def _match(
         now = [assignment.edited.lanes[token] for token in inserted]
         if not all(readable_element(lane) for lane in (*was, *now)):
             continue
-        alignment = align(was, now)
-        if alignment is None or (alignment.parts and not cut):
-            continue
-        cost = (
-            alignment.parts,
-            -len(deleted) - sum(not one_road(one, other) for one, other in pairwise(now)),
-            alignment.categories,
-            round(alignment.displacement_m, 6),
-            *deleted,
-        )
-        candidates.append((cost, deleted, inserted, alignment))
+        for run, alignment in _alignments(was, now):
+            if alignment.parts and not cut:
+                continue
+            cost = (
+                alignment.parts,
+                -len(deleted) - sum(not one_road(one, other) for one, other in pairwise(run)),
+                alignment.categories,
+                round(alignment.displacement_m, 6),
+                *deleted,
+            )
+            candidates.append((cost, deleted, tuple(lane.id for lane in run), alignment))
     used: set[int] = set()
     for _, deleted, inserted, alignment in sorted(candidates, key=lambda one: one[:3]):
         if used.isdisjoint((*deleted, *inserted)):
             used.update((*deleted, *inserted))
             assignment.match_run(deleted, inserted, alignment)
     return bool(used)
+
+
+def _alignments(
+    was: Sequence[LaneSegment], now: Sequence[LaneSegment]
+) -> Iterator[tuple[Sequence[LaneSegment], Alignment]]:
+    """The alignment of two runs; where a gap is in the way, those of the parts before and after it."""
+    whole = align(was, now)
+    if whole is not None:
+        yield now, whole
+        return
+    gaps = [index + 1 for index, pair in enumerate(pairwise(now)) if not ends_meet(*pair)]
+    for first, end in pairwise([0, *gaps, len(now)] if gaps else []):
+        part = align(was, now[first:end])
+        if part is not None:
+            yield now[first:end], part
 
 
 def _part_anchors(assignment: Assignment, comparison: Comparison) -> bool:
