@@ -14,7 +14,7 @@ import numpy as np
 
 from lanewright.core.elements import LaneSegment
 from lanewright.core.geometry import centreline, moved
-from lanewright.core.identity import ends_meet, joinable, one_road
+from lanewright.core.identity import continuous, joinable, one_road
 from lanewright.core.series import NEAR_M, Run, Station, along, apart_m
 
 
@@ -51,14 +51,14 @@ class Alignment:
 
 def align(base: Sequence[LaneSegment], edited: Sequence[LaneSegment]) -> Alignment | None:
     """The best alignment: fewest cut lanes, then fewest changed categories, rather the edited run's own joints. None
-    where nothing can be cut: lanes are of no length, or do not meet."""
+    where nothing can be cut: lanes are of no length, or the road does not go on from one to the next."""
     was, now = Run.of(base), Run.of(edited)
     displacement = displacement_m(was.whole, now.whole)
     candidates: list[Alignment] = []
     if len(base) == len(edited):
         pieces = tuple(Piece(lane, old.id, False) for lane, old in zip(edited, base, strict=True))
         candidates.append(Alignment(pieces, False, _categories(was, pieces), displacement))
-    if (len(base) > 1 or len(edited) > 1) and all(itertools.starmap(ends_meet, itertools.pairwise(edited))):
+    if (len(base) > 1 or len(edited) > 1) and all(itertools.starmap(continuous, itertools.pairwise(edited))):
         for snap in (NEAR_M, 0.0):
             recut = _recut(was, now, snap)
             if recut is not None:

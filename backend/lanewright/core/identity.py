@@ -100,18 +100,15 @@ def joinable(one: LaneSegment, other: LaneSegment) -> bool:
 
 
 def one_road(one: LaneSegment, other: LaneSegment) -> bool:
-    """Whether two lanes in series are one piece of road: nothing differs, their ends meet, and nothing else joins
-    there, beyond the rim of the map either."""
-    return (
-        joinable(one, other)
-        and {one.id}.issuperset(other.predecessors)
-        and {other.id}.issuperset(one.successors)
-        and ends_meet(one, other)
-    )
+    """Whether two lanes in series are one piece of road: it goes on from one to the other, and nothing differs."""
+    return joinable(one, other) and continuous(one, other)
 
 
-def ends_meet(one: LaneSegment, other: LaneSegment) -> bool:
-    """Whether a lane ends where another one begins, on both sides."""
+def continuous(one: LaneSegment, other: LaneSegment) -> bool:
+    """Whether two lanes in series may be parts of one lane: their ends meet, and nothing else joins there, beyond the
+    rim of the map either."""
+    if not {one.id}.issuperset(other.predecessors) or not {other.id}.issuperset(one.successors):
+        return False
     return all(
         before and after and math.dist(before[-1][:2], after[0][:2]) <= WIDEST_GAP_M
         for before, after in zip(lines_of(one), lines_of(other), strict=True)

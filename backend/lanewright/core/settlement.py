@@ -11,7 +11,7 @@ from lanewright.core.beside import LanesBeside
 from lanewright.core.comparison import COINCIDENT_M, Comparison, crossing_key
 from lanewright.core.elements import LaneSegment
 from lanewright.core.geometry import distance_m, end_midpoint, overlap, readable_element
-from lanewright.core.identity import ends_meet, one_road
+from lanewright.core.identity import continuous, one_road
 from lanewright.core.loose_ends import lengthened_runs, outgrown_runs
 from lanewright.core.places import (
     coinciding_runs,
@@ -134,13 +134,14 @@ def _match(
 def _alignments(
     was: Sequence[LaneSegment], now: Sequence[LaneSegment]
 ) -> Iterator[tuple[Sequence[LaneSegment], Alignment]]:
-    """The alignment of two runs; where a gap is in the way, those of the parts before and after it."""
+    """The alignment of two runs; where the road does not go on from one lane to the next, those of the parts before and
+    after."""
     whole = align(was, now)
     if whole is not None:
         yield now, whole
         return
-    gaps = [index + 1 for index, pair in enumerate(pairwise(now)) if not ends_meet(*pair)]
-    for first, end in pairwise([0, *gaps, len(now)] if gaps else []):
+    breaks = [index + 1 for index, pair in enumerate(pairwise(now)) if not continuous(*pair)]
+    for first, end in pairwise([0, *breaks, len(now)] if breaks else []):
         part = align(was, now[first:end])
         if part is not None:
             yield now[first:end], part

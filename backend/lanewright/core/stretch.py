@@ -89,7 +89,7 @@ class Stretch:
             here = [cut for cut in self._cuts if apart_m(cut.station, station) <= margin_m]
             if here:
                 min(here, key=lambda cut: apart_m(cut.station, station)).ends.add(end)
-            elif all(_in_order(cut.station, station) or _in_order(station, cut.station) for cut in self._cuts):
+            elif all(_clear(cut.station, station, margin_m) for cut in self._cuts):
                 self._cuts.append(_Cut(station, {end}))
                 self._cuts.sort(key=lambda cut: cut.station)
 
@@ -135,8 +135,10 @@ def _from_to(start: _Cut, finish: _Cut) -> set[int]:
     return {lane for lane, end in finish.ends if end == FINISH and lane in beginning}
 
 
-def _in_order(one: Station, other: Station) -> bool:
-    return one[0] < other[0] and one[1] < other[1]
+def _clear(one: Station, other: Station, margin_m: float) -> bool:
+    """Whether one station is before the other on both sides, by more than the margin."""
+    left, right = other[0] - one[0], other[1] - one[1]
+    return min(left, right) > margin_m or max(left, right) < -margin_m
 
 
 def _same_station(one: Station, other: Station) -> bool:
