@@ -244,3 +244,39 @@ def test_a_lane_drawn_anew_in_two_with_a_gap_is_the_part_that_is_nearer():
     edited = world(straight(8, 0, 21, successors=(9,)), straight(9, 25, 27, predecessors=(8,)))
     assert story(base, edited) == [("new", "insertion"), (1, "geometry")]
     assert canonicalise(base, edited).lanes[1].left_boundary[-1] == (21.0, 3.5, 0.0)
+
+
+def test_a_joint_that_moved_on_one_side_only_is_one_joint():
+    #  1 ── 2 and 1 ── 3: the right corner of their joint 0.5 m further on
+    base = world(
+        straight(1, 0, 20, successors=(2, 3)),
+        straight(2, 20, 60, predecessors=(1,), left_mark=Mark.SOLID_WHITE),
+        lane(3, "20,3.5 50,-20", "20,0 47,-22", predecessors=(1,)),
+    )
+    edited = world(
+        lane(1, "0,3.5 20,3.5", "0,0 20.5,0", successors=(2, 3)),
+        lane(2, "20,3.5 60,3.5", "20.5,0 60,0", predecessors=(1,), left_mark=Mark.SOLID_WHITE),
+        lane(3, "20,3.5 50,-20", "20.5,0 47,-22", predecessors=(1,)),
+    )
+    assert canonicalise(base, edited) is edited
+
+
+@pytest.mark.parametrize("key", [1, 9])
+def test_a_lane_shortened_where_what_it_led_to_went_is_the_same_lane(key):
+    #  1 ── 2 ── 3   =>   1 (4 m shorter)    3
+    base = world(
+        straight(1, 0, 25, successors=(2,)),
+        straight(2, 25, 50, predecessors=(1,), successors=(3,), is_intersection=True),
+        straight(3, 50, 75, predecessors=(2,)),
+    )
+    assert story(base, world(straight(key, 0, 21), straight(3, 50, 75))) == [(1, "geometry"), (2, "deletion")]
+
+
+def test_a_lane_of_the_same_kind_that_rim_links_set_apart_is_no_part_of_a_cut():
+    #  1 leads beyond the rim; its end moves by 0.7 m and it is driven on
+    base = world(straight(1, 0, 20, successors=(999,)))
+    edited = world(
+        lane(1, "0,3.5 20,3.5", "0,0 20.7,0", successors=(999, 9)),
+        lane(9, "20,3.5 22,3.5", "20.7,0 22,0", predecessors=(1,)),
+    )
+    assert canonicalise(base, edited) is edited

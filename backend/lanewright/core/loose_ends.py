@@ -26,6 +26,11 @@ def lengthened_runs(comparison: Comparison) -> list[tuple[Chain, Chain]]:
     return [pair for pair in paired_runs(comparison, _ends) if _same_direction(comparison, *pair)]
 
 
+def freed_runs(comparison: Comparison) -> list[tuple[Chain, Chain]]:
+    """As ``lengthened_runs``, where what the deleted lane led to (came from) was deleted as well."""
+    return [pair for pair in paired_runs(comparison, _freed_ends) if _same_direction(comparison, *pair)]
+
+
 def outgrown_runs(comparison: Comparison) -> Iterator[tuple[Chain, Chain, int]]:
     """Deleted chains that end where no survivor holds them, each with the inserted chain that runs on over that end
     from where the deleted one begins (or towards it, up to where that one ends), as far as the lane on which the end
@@ -49,27 +54,45 @@ def outgrown_runs(comparison: Comparison) -> Iterator[tuple[Chain, Chain, int]]:
                     break
 
 
-def _ends(comparison: Comparison, end: int) -> list[tuple[int, int]]:
-    old = _Loose(comparison, comparison.base_graph, comparison.deleted_lanes, end, edited=False)
+def _freed_ends(comparison: Comparison, end: int) -> list[tuple[int, int]]:
+    return _ends(comparison, end, freed=True)
+
+
+def _ends(comparison: Comparison, end: int, *, freed: bool = False) -> list[tuple[int, int]]:
+    old = _Loose(comparison, comparison.base_graph, comparison.deleted_lanes, end, edited=False, freed=freed)
     new = _Loose(comparison, comparison.edited_graph, comparison.inserted_lanes, end, edited=True)
     beyond = {(was, now) for now, was in old.reaching_to(new)}.union(new.reaching_to(old))
     return sorted(beyond.union(coinciding_ends(comparison, end)))
 
 
 class _Loose:
-    """Chains of the deleted (inserted) lanes whose start (finish) nothing joins."""
+    """Deleted (inserted) lanes whose start (finish) nothing joins; ``freed``: or nothing but other deleted ones."""
 
-    def __init__(self, comparison: Comparison, graph: RoadGraph, lanes: Collection[int], end: int, *, edited: bool):
-        chains = [
-            chain
+    def __init__(
+        self,
+        comparison: Comparison,
+        graph: RoadGraph,
+        lanes: Collection[int],
+        end: int,
+        *,
+        edited: bool,
+        freed: bool = False,
+    ):
+        # A chain's last lane reaches as far back as the chain, another one as far as itself.
+        reaching = {
+            lane: chain if lane == chain[-end] else (lane,)
             for chain in graph.chains(lanes)
             if all(readable_element(graph.lanes[lane]) for lane in chain)
-            and not graph.meets((chain[-1 if end == FINISH else 0], end))
+            for lane in chain
+        }
+        self.lanes = [
+            lane
+            for lane in reaching
+            if not graph.meets((lane, end)) or (freed and not graph.anchors((lane, end), comparison.surviving_lanes))
         ]
-        self.lanes = [chain[-1 if end == FINISH else 0] for chain in chains]
         self.places = [graph.location((lane, end)) for lane in self.lanes]
-        self._owners = [owner for owner, chain in zip(self.lanes, chains, strict=True) for _ in chain]
-        shapes = [comparison.shape(lane_key(lane), edited=edited) for chain in chains for lane in chain]
+        self._owners = [owner for owner in self.lanes for _ in reaching[owner]]
+        shapes = [comparison.shape(lane_key(lane), edited=edited) for owner in self.lanes for lane in reaching[owner]]
         self._tree = shapely.STRtree(shapes)
 
     def reaching_to(self, other: _Loose) -> Iterator[tuple[int, int]]:

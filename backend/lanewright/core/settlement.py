@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
-from lanewright.core.alignment import Alignment, align
 from lanewright.core.assignment import Assignment
 from lanewright.core.beside import LanesBeside
 from lanewright.core.comparison import COINCIDENT_M, Comparison, crossing_key
 from lanewright.core.elements import LaneSegment
 from lanewright.core.geometry import distance_m, end_midpoint, overlap, readable_element
-from lanewright.core.identity import continuous, one_road
-from lanewright.core.loose_ends import lengthened_runs, outgrown_runs
+from lanewright.core.identity import one_road
+from lanewright.core.loose_ends import freed_runs, lengthened_runs, outgrown_runs
 from lanewright.core.places import (
     coinciding_runs,
     displaced_crossings,
@@ -26,7 +24,8 @@ from lanewright.core.places import (
 )
 from lanewright.core.replacement import replaced_lanes
 from lanewright.core.rightmost import ambiguous_insertions
-from lanewright.core.roadgraph import FINISH, START, Chain, Endpoint
+from lanewright.core.roadgraph import FINISH, START, Endpoint
+from lanewright.core.run_matching import match_runs
 from lanewright.core.series import Run
 
 _MOST_STEPS = 400
@@ -44,7 +43,7 @@ def settle(assignment: Assignment) -> None:
 
 def _match_same_lines(assignment: Assignment, comparison: Comparison) -> bool:
     """Runs on the same lines are the same lanes, however they are cut."""
-    return _match(assignment, comparison, same_runs(comparison))
+    return match_runs(assignment, comparison, same_runs(comparison))
 
 
 def _part_displaced(assignment: Assignment, comparison: Comparison) -> bool:
@@ -86,65 +85,16 @@ def _match_places(assignment: Assignment, comparison: Comparison) -> bool:
     happens to be near the old end would tell another story."""
     lanes = (((was,), (now,)) for was, now in preserved_lanes(comparison))
     return (
-        _match(assignment, comparison, lengthened_runs(comparison), cut=False)
-        or _match(assignment, comparison, coinciding_runs(comparison))
-        or _match(assignment, comparison, preserved_turns(comparison), cut=False)
-        or _match(assignment, comparison, lanes)
+        match_runs(assignment, comparison, lengthened_runs(comparison), cut=False)
+        or match_runs(assignment, comparison, coinciding_runs(comparison))
+        or match_runs(assignment, comparison, preserved_turns(comparison), cut=False)
+        or match_runs(assignment, comparison, lanes)
     )
 
 
-def _match(
-    assignment: Assignment, comparison: Comparison, pairs: Iterable[tuple[Chain, Chain]], *, cut: bool = True
-) -> bool:
-    """Match pairs of runs, no lane twice: first those for which no lane is cut, then those that save the most
-    insertions and deletions (lanes that are one road are inserted as one), then by the fewest categories, the least
-    displacement, the smallest ids. Whether there were any.
-
-    ``cut``: also where base lanes must be cut for it.
-    """
-    candidates: list[tuple[tuple[float, ...], Chain, Chain, Alignment]] = []
-    for deleted, inserted in pairs:
-        if any((now, was) in assignment.banned for was in deleted for now in inserted):
-            continue
-        if any(token in assignment.parts for token in inserted) or not assignment.is_free([*deleted, *inserted]):
-            continue
-        was = [comparison.base.lanes[lane] for lane in deleted]
-        now = [assignment.edited.lanes[token] for token in inserted]
-        if not all(readable_element(lane) for lane in (*was, *now)):
-            continue
-        for run, alignment in _alignments(was, now):
-            if alignment.parts and not cut:
-                continue
-            cost = (
-                alignment.parts,
-                -len(deleted) - sum(not one_road(one, other) for one, other in pairwise(run)),
-                alignment.categories,
-                round(alignment.displacement_m, 6),
-                *deleted,
-            )
-            candidates.append((cost, deleted, tuple(lane.id for lane in run), alignment))
-    used: set[int] = set()
-    for _, deleted, inserted, alignment in sorted(candidates, key=lambda one: one[:3]):
-        if used.isdisjoint((*deleted, *inserted)):
-            used.update((*deleted, *inserted))
-            assignment.match_run(deleted, inserted, alignment)
-    return bool(used)
-
-
-def _alignments(
-    was: Sequence[LaneSegment], now: Sequence[LaneSegment]
-) -> Iterator[tuple[Sequence[LaneSegment], Alignment]]:
-    """The alignment of two runs; where the road does not go on from one lane to the next, those of the parts before and
-    after."""
-    whole = align(was, now)
-    if whole is not None:
-        yield now, whole
-        return
-    breaks = [index + 1 for index, pair in enumerate(pairwise(now)) if not continuous(*pair)]
-    for first, end in pairwise([0, *breaks, len(now)] if breaks else []):
-        part = align(was, now[first:end])
-        if part is not None:
-            yield now[first:end], part
+def _match_freed(assignment: Assignment, comparison: Comparison) -> bool:
+    """Lanes lengthened or shortened where all that held them went."""
+    return match_runs(assignment, comparison, freed_runs(comparison), cut=False)
 
 
 def _part_anchors(assignment: Assignment, comparison: Comparison) -> bool:
@@ -233,7 +183,7 @@ def _keep_to_loose_ends(assignment: Assignment, comparison: Comparison) -> bool:
             if end == FINISH
             else (comparison.edited_graph.previous_in_series(lane, comparison.inserted_lanes))
         ):
-            if _match(assignment, comparison, [(deleted, inserted)], cut=False):
+            if match_runs(assignment, comparison, [(deleted, inserted)], cut=False):
                 return True
             continue
         pieces = _pieces_at(comparison, (deleted[-1 if end == FINISH else 0], end), lane)
@@ -287,6 +237,7 @@ _STEPS = (
     _part_anchors,
     _match_crossings,
     _keep_to_loose_ends,
+    _match_freed,
     _join_inserted,
     _cut_beside,
     _keep_right,
