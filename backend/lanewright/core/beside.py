@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+import math
+from collections.abc import Collection, Iterator, Sequence
 from itertools import chain, islice
 
 from lanewright.core.comparison import Comparison
-from lanewright.core.elements import LaneSegment, Line, MapState
-from lanewright.core.geometry import MOVED_M
+from lanewright.core.elements import LaneSegment, Line, MapState, Point
+from lanewright.core.geometry import MOVED_M, lines_of
 from lanewright.core.roadgraph import FINISH, START
-from lanewright.core.series import NEAR_M, Run, Station, along, at_vertex
+from lanewright.core.series import CLOSE_M, NEAR_M, Run, Station, along, at_vertex, vertex_stations
 from lanewright.core.survey import Survey
 
 Corner = tuple[float, float]
@@ -35,25 +36,31 @@ class LanesBeside:
         return any(lane not in others_than and along(line, (*before, 0.0))[1] <= MOVED_M for lane, before in ending)
 
     def joints_of(self, lane: LaneSegment) -> list[Station]:
-        """Where a lane is to be cut, since lanes beside it end there, in driving order."""
+        """Where a lane is to be cut, since lanes beside it end there, in driving order: across from where one ends on
+        the other side too, if that is near."""
         run = Run.of([lane])
+        left, right = (self._ends_on(line, lane.id) for line in lines_of(lane))
+        stations = [(here, _across(lane.right_boundary, right, point)) for here, point in left]
+        stations += [(_across(lane.left_boundary, left, point), here) for here, point in right]
         found: list[Station] = []
-        for station in sorted(self._stations(run)):
+        for station in sorted(stations):
             before = found[-1] if found else (0.0, 0.0)
             if all(low < here < end for low, here, end in zip(before, station, run.ends, strict=True)):
                 found.append(station)
         return found
 
-    def _stations(self, run: Run) -> Iterator[Station]:
-        whole = run.whole
-        for line, opposite, flip in (
-            (whole.left_boundary, whole.right_boundary, False),
-            (whole.right_boundary, whole.left_boundary, True),
-        ):
-            for point in line[1:-1]:
-                if self.end_at(point[:2], line, [whole.id]):
-                    here, across = along(line, point)[0], at_vertex(opposite, along(opposite, point)[0], NEAR_M)
-                    yield (across, here) if flip else (here, across)
+    def _ends_on(self, line: Line, lane: int) -> list[tuple[float, Point]]:
+        """The inner vertices of a boundary at which lanes beside it end, each with its arc length."""
+        ends = zip(vertex_stations(line)[1:-1].tolist(), line[1:-1], strict=True)
+        return [(station, point) for station, point in ends if self.end_at(point[:2], line, [lane])]
+
+
+def _across(line: Line, ends: Sequence[tuple[float, Point]], point: Point) -> float:
+    """Where a boundary is cut across from a point: where a lane beside it ends near there, else at a vertex close by,
+    else at the nearest place."""
+    there = along(line, point)[0]
+    nearest = min((here for here, _ in ends), key=lambda here: abs(here - there), default=math.inf)
+    return nearest if abs(nearest - there) <= NEAR_M else at_vertex(line, there, CLOSE_M)
 
 
 def _corners(lanes: MapState | Iterator[LaneSegment]) -> _Corners:

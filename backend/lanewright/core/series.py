@@ -19,6 +19,8 @@ Station = tuple[float, float]
 SAME_POINT_M = 1e-6
 NEAR_M = 3.0
 """Joints of base and edited run within this distance are one joint."""
+CLOSE_M = 1.0
+"""A cut across from a joint takes a vertex within this distance: lanes that were drawn there have their ends there."""
 
 
 @dataclass(frozen=True, slots=True)

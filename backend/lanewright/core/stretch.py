@@ -12,10 +12,8 @@ from lanewright.core.geometry import MOVED_M
 from lanewright.core.identity import joinable
 from lanewright.core.lane_ends import LaneEnds, NearEnd
 from lanewright.core.roadgraph import FINISH, START, Chain, Endpoint, RoadGraph
-from lanewright.core.series import NEAR_M, SAME_POINT_M, Run, Station, apart_m, at_vertex
+from lanewright.core.series import CLOSE_M, NEAR_M, SAME_POINT_M, Run, Station, apart_m, at_vertex
 from lanewright.core.survey import Survey
-
-_CLOSE_M = 1.0
 
 
 @dataclass(slots=True)
@@ -81,7 +79,7 @@ class Stretch:
         """The station, moved to vertices close by, where drawn lanes and lanes beside them have their ends."""
         left, right = station
         whole = self._run.whole
-        return at_vertex(whole.left_boundary, left, _CLOSE_M), at_vertex(whole.right_boundary, right, _CLOSE_M)
+        return at_vertex(whole.left_boundary, left, CLOSE_M), at_vertex(whole.right_boundary, right, CLOSE_M)
 
     def _cut_at(self, places: Sequence[NearEnd], margin_m: float) -> None:
         """Cut there, the nearest ends first; ends within the margin of a cut are that cut's."""
