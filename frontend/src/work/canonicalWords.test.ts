@@ -21,7 +21,7 @@ it("tells which imported elements have their ids again", () => {
 
 it("says how a save told the story", () => {
   expect(retoldWords({ canonical: [lane(12, 7)], joined: [9], cut: [] })).toBe(
-    "Told as the simpler story: lane 12 is now lane 7; 1 lane joined with the next in series.",
+    "Told as the simpler story: lane 12 is now lane 7; 1 lane joined with another in series.",
   );
   expect(retoldWords({ canonical: [], joined: [], cut: [] })).toBe("");
 });

@@ -31,7 +31,7 @@ export function retoldWords({
 }
 
 const seriesWords = (joined: readonly number[], cut: readonly number[]) => [
-  joined.length > 0 && `${counted(joined.length, "lane")} joined with the next in series`,
+  joined.length > 0 && `${counted(joined.length, "lane")} joined with another in series`,
   cut.length > 0 && `${counted(cut.length, "lane")} cut`,
 ];
 
