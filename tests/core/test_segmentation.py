@@ -280,3 +280,16 @@ def test_a_lane_of_the_same_kind_that_rim_links_set_apart_is_no_part_of_a_cut():
         lane(9, "20,3.5 22,3.5", "20.7,0 22,0", predecessors=(1,)),
     )
     assert canonicalise(base, edited) is edited
+
+
+@pytest.mark.parametrize("keys", [(2, 3), (8, 9)])
+def test_the_first_lane_of_a_row_that_went_takes_no_other_with_it(keys):
+    #  1 ── 2 ── 3 ── 4   =>   2 ── 3 ── 4, the joint of 2 and 3 moved a little
+    base = world(*ROW.lanes.values(), straight(4, 60, 80, predecessors=(3,), is_intersection=True))
+    first, second = keys
+    edited = world(
+        lane(first, "20,3.5 40.8,3", "20,0 40,0", successors=(second,)),
+        lane(second, "40.8,3 60,3.5", "40,0 60,0", predecessors=(first,), successors=(4,)),
+        straight(4, 60, 80, predecessors=(second,), is_intersection=True),
+    )
+    assert story(base, edited) == [(1, "deletion"), (2, "geometry"), (3, "geometry")]

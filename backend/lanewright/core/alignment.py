@@ -13,9 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from lanewright.core.elements import LaneSegment
-from lanewright.core.geometry import centreline, moved
+from lanewright.core.geometry import centreline, distance_m, end_midpoint, moved
 from lanewright.core.identity import continuous, joinable, one_road
 from lanewright.core.series import NEAR_M, Run, Station, along, apart_m
+
+_Cut = tuple[Station, int | None]
+"""Where a run is cut, and which joint of the base that is, if any."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,13 +110,13 @@ def _recut(was: Run, now: Run, snap_m: float) -> tuple[Piece, ...] | None:
     ]
     goals = [_goal(was, now, joint) for joint in was.joints]
     taken = _matched_joints(was, now, fixed, goals)
-    stations: list[tuple[Station, bool]] = []
+    stations: list[_Cut] = []
     for index, goal in enumerate(goals):
         if index in taken:
-            stations.append((now.joints[taken[index]], True))
+            stations.append((now.joints[taken[index]], index))
         else:
-            stations.append((_snapped(now, goal, snap_m), True))
-    stations += [(now.joints[index], False) for index in fixed if index not in taken.values()]
+            stations.append((_snapped(now, goal, snap_m), index))
+    stations += [(now.joints[index], None) for index in fixed if index not in taken.values()]
     ordered = _ordered(stations, now.ends)
     kept = [station for station, _ in ordered]
     if any(now.joints[index] not in kept for index in fixed):
@@ -170,23 +173,37 @@ def _snapped(now: Run, goal: Station, snap_m: float) -> Station:
     return min(near, key=lambda joint: apart_m(joint, goal), default=goal)
 
 
-def _ordered(stations: list[tuple[Station, bool]], ends: Station) -> list[tuple[Station, bool]]:
+def _ordered(stations: list[_Cut], ends: Station) -> list[_Cut]:
     """Stations in driving order, each strictly beyond the one before on both sides; those that are not are dropped
     (of a base joint and an edited one at the same place the base joint stands)."""
-    kept: list[tuple[Station, bool]] = []
-    for station, is_base in sorted(stations, key=lambda item: (sum(item[0]), not item[1])):
+    kept: list[_Cut] = []
+    last = -1
+    for station, joint in sorted(stations, key=lambda item: (sum(item[0]), item[1] is None, item[1])):
         low = kept[-1][0] if kept else (0.0, 0.0)
-        if low[0] < station[0] < ends[0] and low[1] < station[1] < ends[1]:
-            kept.append((station, is_base))
+        if low[0] < station[0] < ends[0] and low[1] < station[1] < ends[1] and (joint is None or joint > last):
+            kept.append((station, joint))
+            last = last if joint is None else joint
     return kept
 
 
-def _pieces(was: Run, now: Run, stations: list[tuple[Station, bool]]) -> tuple[Piece, ...]:
-    lanes = now.pieces([station for station, _ in stations])
-    owners = [0]
-    for _, is_base in stations:
-        owners.append(owners[-1] + is_base)
-    return tuple(
-        Piece(lane, was.lanes[min(owner, len(was.lanes) - 1)].id, owners.count(owner) > 1)
-        for lane, owner in zip(lanes, owners, strict=True)
-    )
+def _pieces(was: Run, now: Run, cuts: list[_Cut]) -> tuple[Piece, ...]:
+    lanes = now.pieces([station for station, _ in cuts])
+    joints = [joint for _, joint in cuts if joint is not None]
+    bounds = [-1, *joints, len(was.lanes) - 1]
+    pieces: list[Piece] = []
+    stretch: list[LaneSegment] = []
+    for lane, joint in zip(lanes, [*(joint for _, joint in cuts), bounds[-1]], strict=True):
+        stretch.append(lane)
+        if joint is not None:
+            owner = _nearest(was.lanes[bounds[0] + 1 : bounds[1] + 1], stretch)
+            pieces += [Piece(part, owner, len(stretch) > 1) for part in stretch]
+            stretch, bounds = [], bounds[1:]
+    return tuple(pieces)
+
+
+def _nearest(lanes: Sequence[LaneSegment], stretch: Sequence[LaneSegment]) -> int:
+    """Which of the base lanes between two joints a stretch is: where joints fell away, the one that is nearest."""
+    start, finish = end_midpoint(stretch[0], 0), end_midpoint(stretch[-1], 1)
+    return min(
+        lanes, key=lambda lane: distance_m(start, end_midpoint(lane, 0)) + distance_m(finish, end_midpoint(lane, 1))
+    ).id

@@ -9,9 +9,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from lanewright.core.comparison import COINCIDENT_M, Comparison
-from lanewright.core.geometry import centreline, readable_element
+from lanewright.core.comparison import COINCIDENT_M, Comparison, lane_key
+from lanewright.core.geometry import apart_m, centreline, readable_element
 from lanewright.core.lateral import right_of
+from lanewright.core.places import FAR_M
 from lanewright.core.roadgraph import FINISH, START, Chain, Endpoint
 
 
@@ -59,13 +60,21 @@ def _parts_holding(comparison: Comparison, survivor: int, count: int) -> Iterato
 def _exchangeable(comparison: Comparison, chain: Chain, part: Chain) -> bool:
     others = comparison.surviving_lanes.difference(part)
     graph = comparison.edited_graph
+    free_ends = 0
     for one, other, end in ((chain[0], part[0], START), (chain[-1], part[-1], FINISH)):
         held, also_held = (graph.anchors((lane, end), others) for lane in (one, other))
         if held != also_held:
             return False
         if not held and along_m(comparison, (one, end), (other, end)) > COINCIDENT_M:
             return False
-    return True
+        free_ends += not held
+    return free_ends < 2 or not any(_displaced(comparison, *pair) for pair in zip(chain, part, strict=True))
+
+
+def _displaced(comparison: Comparison, inserted: int, survivor: int) -> bool:
+    """Whether an inserted lane would be too far away to be a survivor that nothing holds."""
+    now, was = comparison.shape(lane_key(inserted), edited=True), comparison.shape(lane_key(survivor), edited=False)
+    return apart_m(was, now) > FAR_M
 
 
 def along_m(comparison: Comparison, one: Endpoint, other: Endpoint) -> float:

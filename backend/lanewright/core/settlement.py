@@ -24,7 +24,7 @@ from lanewright.core.places import (
 )
 from lanewright.core.replacement import replaced_lanes
 from lanewright.core.rightmost import ambiguous_insertions
-from lanewright.core.roadgraph import FINISH, START, Endpoint
+from lanewright.core.roadgraph import FINISH, START, Chain, Endpoint
 from lanewright.core.run_matching import match_runs
 from lanewright.core.series import Run
 
@@ -136,22 +136,26 @@ def _crossing_overlap(comparison: Comparison, pair: tuple[int, int]) -> float:
 
 def _keep_right(assignment: Assignment, comparison: Comparison) -> bool:
     """An insertion that could as well be the lane on its right is; likewise a deletion."""
+    tokens = assignment.tokens
     for chain, survivors in ambiguous_insertions(comparison):
-        if not assignment.is_free([*chain, *survivors]) or not assignment.parts.keys().isdisjoint(survivors):
-            continue
-        tokens = assignment.tokens
-        for inserted, survivor in zip(chain, survivors, strict=True):
-            assignment.lanes[inserted] = survivor
-            del assignment.lanes[tokens[survivor]]
-        return True
+        pairs = list(zip(chain, survivors, strict=True))
+        if _may_exchange(assignment, chain, survivors) and assignment.banned.isdisjoint(pairs):
+            for inserted, survivor in pairs:
+                assignment.lanes[inserted] = survivor
+                del assignment.lanes[tokens[survivor]]
+            return True
     for chain, survivors in ambiguous_insertions(comparison.inverse):
-        if not assignment.is_free([*chain, *survivors]) or not assignment.parts.keys().isdisjoint(survivors):
+        if not _may_exchange(assignment, chain, survivors):
             continue
-        tokens = assignment.tokens
-        for deleted, survivor in zip(chain, survivors, strict=True):
-            assignment.lanes[tokens[survivor]] = deleted
-        return True
+        pairs = [(tokens[survivor], deleted) for deleted, survivor in zip(chain, survivors, strict=True)]
+        if assignment.banned.isdisjoint(pairs):
+            assignment.lanes.update(pairs)
+            return True
     return False
+
+
+def _may_exchange(assignment: Assignment, chain: Chain, survivors: Chain) -> bool:
+    return assignment.is_free([*chain, *survivors]) and assignment.parts.keys().isdisjoint(survivors)
 
 
 def _join_inserted(assignment: Assignment, comparison: Comparison) -> bool:
