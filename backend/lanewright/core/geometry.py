@@ -230,6 +230,13 @@ def within(shapes: npt.NDArray[Any], one: Shape, limit_m: float) -> npt.NDArray[
 
 
 @quietly
+def pairs_within(shapes: npt.NDArray[Any], limit_m: float) -> list[tuple[int, int]]:
+    """The positions of all pairs of areas, shape (n,), that are no further apart than that, each pair once."""
+    pairs = shapely.STRtree(shapes).query(shapes, predicate="dwithin", distance=limit_m)
+    return [(one, other) for one, other in pairs.T.tolist() if one < other]
+
+
+@quietly
 def overlaps(one: Shape, others: Sequence[Shape]) -> npt.NDArray[np.float64]:
     """Intersection over union of an area with each of others, shape (n,)."""
     try:

@@ -11,12 +11,16 @@ import shapely
 from lanewright.core.changes import AtomicChange, Category, Macros, StructuralUpdate
 from lanewright.core.comparison import Comparison, lane_key
 from lanewright.core.elements import ElementKey, ElementKind
-from lanewright.core.geometry import within
+from lanewright.core.geometry import pairs_within, within
 from lanewright.core.leaves import TOPOLOGY
 from lanewright.core.roadgraph import RoadGraph
 
 TOUCHING_M = 5.0
 """Changes whose polygons are this near belong to one update (spec §4)."""
+
+
+_FEW = 100
+"""Areas of which every pair may be looked at."""
 
 
 def structural_updates(comparison: Comparison, changes: Iterable[AtomicChange]) -> tuple[StructuralUpdate, ...]:
@@ -74,6 +78,9 @@ def _near(comparison: Comparison, keys: list[ElementKey]) -> Iterable[tuple[Elem
     if not shaped:
         return
     owners, shapes = [key for key, _ in shaped], np.array([shape for _, shape in shaped])
+    if len(shapes) <= _FEW:
+        yield from ((owners[one], owners[other]) for one, other in pairs_within(shapes, TOUCHING_M))
+        return
     west, south, east, north = shapely.bounds(shapes).T
     around = shapely.box(west - TOUCHING_M, south - TOUCHING_M, east + TOUCHING_M, north + TOUCHING_M)
     tree = shapely.STRtree(shapes)
