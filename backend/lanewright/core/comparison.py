@@ -44,7 +44,7 @@ class Comparison:
         self.claims = claims
         self._moved: dict[int, tuple[bool, bool]] = {}
         self._moved_crossings: dict[int, bool] = {}
-        self._polygons: dict[tuple[bool, ElementKey], Shape] = {}
+        self._polygons: dict[ElementKey, Shape] = {}
         self._functions: dict[tuple[bool, int], TurnFunction | None] = {}
 
     @cached_property
@@ -179,11 +179,12 @@ class Comparison:
 
     def shape(self, key: ElementKey, *, edited: bool) -> Shape:
         """The area that an element covers in the edited map (else in the base), remembered."""
-        if (edited, key) not in self._polygons:
+        known = self._polygons if edited else self.survey.shapes
+        if key not in known:
             element = (self.edited if edited else self.base).get(key)
             assert element is not None
-            self._polygons[(edited, key)] = polygon(element)
-        return self._polygons[(edited, key)]
+            known[key] = polygon(element)
+        return known[key]
 
     def shapes(self, key: ElementKey) -> tuple[Shape, ...]:
         """The areas of an element in base and edited map, as far as it is in them."""

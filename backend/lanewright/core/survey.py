@@ -9,7 +9,8 @@ from collections.abc import Callable, Collection, Iterator
 from itertools import chain
 from typing import TypeVar
 
-from lanewright.core.elements import Element, LaneSegment, MapState
+from lanewright.core.elements import Element, ElementKey, LaneSegment, MapState
+from lanewright.core.geometry import Shape
 from lanewright.core.linework import Linework
 from lanewright.core.roadgraph import RoadGraph
 
@@ -38,6 +39,11 @@ class Survey:
         return self.fact(_linework)
 
     @property
+    def shapes(self) -> dict[ElementKey, Shape]:
+        """The areas of elements that were asked for so far."""
+        return self.fact(_no_shapes)
+
+    @property
     def references(self) -> dict[int, tuple[int, ...]]:
         """Every lane id that is named -> the lanes that name it, as link or neighbour."""
         return self.fact(_references)
@@ -46,6 +52,10 @@ class Survey:
 def lane_ids(state: MapState) -> frozenset[int]:
     """The ids of all lanes."""
     return frozenset(state.lanes)
+
+
+def _no_shapes(_: MapState) -> dict[ElementKey, Shape]:
+    return {}
 
 
 def _linework(state: MapState) -> Linework:
