@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
@@ -113,7 +114,7 @@ def _spoil(draw: st.DrawFn, document: Document) -> None:
         at = at[key]
     holder, key = draw(st.sampled_from(places))
     if draw(st.booleans()):
-        holder[key] = draw(st.sampled_from(SPOILERS))
+        holder[key] = deepcopy(draw(st.sampled_from(SPOILERS)))  # what was put in may be spoilt next
     else:
         del holder[key]
 
